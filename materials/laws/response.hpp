@@ -1,0 +1,21 @@
+// What a law of tissue answers at one point.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace snug::materials {
+
+/// Isochoric part at one deformation gradient. First Piola stress P = dW/dF; tangent A = d2W/dF2 with row and column
+/// index 3 i + J of the component F_iJ (row-major), major-symmetric. Units Pa (energy J/m3 of the reference).
+struct IsochoricResponse {
+  double energy = 0.0;
+  Eigen::Matrix3d stress;
+  Eigen::Matrix<double, 9, 9> tangent;
+};
+
+/// U(J), U'(J), U''(J) in Pa.
+struct VolumetricResponse {
+  double energy = 0.0, pressure = 0.0, modulus = 0.0;
+};
+
+}  // namespace snug::materials

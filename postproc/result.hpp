@@ -1,0 +1,91 @@
+// Plain result data that recorders look at. Nothing here knows how a step was made.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace snug::postproc {
+
+/// One quadrature point of the garment that touches or faces the skin.
+struct ContactSample {
+  int facet = -1;                  ///< skin facet
+  double xi = 0.0, eta = 0.0;      ///< on the facet, [-1, 1]^2
+  double force = 0.0;              ///< N, contact force along the skin normal (>= 0 with the hat basis)
+  double area = 0.0;               ///< m2, current garment area of the point; 0 where it faces no skin
+  bool touching = false;
+};
+
+/// The deformed body with nodal fields. Tensors are symmetric: xx yy zz xy yz xz.
+struct BodyResult {
+  std::vector<Eigen::Vector3d> nodes;                 ///< reference positions, m
+  std::vector<std::array<int, 27>> cells;             ///< tensor order (see mesh::BodyMesh); empty for a rigid body
+  std::vector<std::array<int, 9>> skin_facets;        ///< tensor order
+  std::vector<std::string> layers;                    ///< names
+  std::vector<int> cell_layer;
+  std::vector<std::string> locations;                 ///< names
+  std::vector<int> node_location;                     ///< -1: none
+  std::vector<Eigen::Vector3d> displacement;          ///< m
+  std::vector<Eigen::Matrix<double, 6, 1>> cauchy_stress;  ///< Pa, nodal averages; empty for a rigid body
+  std::vector<double> contact_pressure;               ///< Pa, nodes off the skin 0
+  std::vector<double> coverage;                       ///< 0..1
+  std::vector<double> laplace_pressure;               ///< Pa, L0 value where computed; may be empty
+};
+
+struct GarmentResult {
+  std::vector<Eigen::Vector3d> placed, current;       ///< m, one entry a pattern node
+  std::vector<Eigen::Vector2d> pattern;               ///< m
+  std::vector<std::array<int, 6>> triangles;
+  std::vector<double> tension_warp, tension_weft, shear;  ///< Cauchy forces per current length, N/m, a triangle
+  std::vector<double> stretch_warp, stretch_weft;     ///< a triangle
+  std::vector<double> wrinkled;                       ///< 0 taut, 1 wrinkled, 2 slack, a triangle
+  std::vector<double> contact_pressure;               ///< Pa per current area, a node
+};
+
+struct Iteration {  ///< one row of history.csv
+  int increment = 0;
+  double load = 0.0;              ///< s, the load parameter
+  int iteration = 0;
+  double residual = 0.0;          ///< |R| over the sum of contact forces
+  double complementarity = 0.0;   ///< over the reference pressure
+  double step = 0.0;              ///< accepted fraction of the Newton step
+  int contact_nodes = 0, changed = 0;
+  double energy = 0.0;            ///< J
+  double seconds = 0.0;           ///< since the start of the solve
+  std::string event;              ///< "", "refactored", "proximal", ...
+};
+
+struct Balance {
+  Eigen::Vector3d garment_force = Eigen::Vector3d::Zero();   ///< N, skin on garment
+  Eigen::Vector3d skin_force = Eigen::Vector3d::Zero();      ///< N, garment on skin
+  Eigen::Vector3d force_error = Eigen::Vector3d::Zero();     ///< N, sum of all forces on body and garment
+  Eigen::Vector3d moment_error = Eigen::Vector3d::Zero();    ///< N m, about the origin
+  double contact_force = 0.0;                                ///< N, sum of |point forces|
+  std::map<std::string, Eigen::Vector3d> reactions;          ///< "upper edge", "bone", "lower cut", ... N
+};
+
+struct Phase { std::string name; double seconds = 0.0; };
+
+struct RunResult {
+  std::string title, tier;
+  std::string status;             ///< converged | partial | failed
+  std::string message;            ///< why it is not converged, and the remedy
+  BodyResult body;
+  GarmentResult garment;          ///< no triangles: the scene has no garment
+  std::vector<ContactSample> samples;
+  std::vector<Iteration> history;
+  Balance balance;
+  std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
+  std::vector<std::string> parts_in, parts_out;
+  std::vector<Phase> phases;
+  double max_penetration = 0.0;   ///< m
+  double peak_memory = 0.0;       ///< bytes
+  int increments = 0, iterations = 0;
+  double mean_laplace_pressure = 0.0;     ///< Pa, L0 sanity value over the covered skin
+  std::map<std::string, double> numbers;  ///< further named values for expected.toml ("mean_contact_pressure_Pa", ...)
+};
+
+}  // namespace snug::postproc
