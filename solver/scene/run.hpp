@@ -1,0 +1,57 @@
+// What the commands call: the plan of a scene and its solution.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cases/input/case.hpp"
+#include "mesh/body/body_mesh.hpp"
+#include "mesh/garment/garment_mesh.hpp"
+#include "postproc/result.hpp"
+
+namespace snug::solver {
+
+/// Starts PETSc and MPI for the life of the object; one in main. Also sets the thread count of BLAS.
+class Session {
+ public:
+  Session(int& argc, char**& argv);
+  ~Session();
+  Session(const Session&) = delete;
+};
+
+/// "openblas", "reference" or "unknown": which BLAS the process has loaded.
+std::string loaded_blas();
+
+/// Meshes of a case; a part that the case does not name is absent (empty cells / triangles).
+struct Meshes {
+  mesh::Limb limb;
+  mesh::BodyMesh body;
+  mesh::GarmentMesh garment;
+};
+
+/// Parts of the scene with their unknowns, known before anything is solved.
+struct Plan {
+  std::string tier;
+  std::vector<std::string> parts_in;       ///< "body: soft tissue, neo-Hooke, Q2/P1 hexahedra", ...
+  std::vector<std::string> parts_out;      ///< "friction: not in the case", ...
+  std::map<std::string, long> unknowns;    ///< "body", "garment", "contact"; parts left out do not appear
+  double memory_bytes = 0.0, seconds = 0.0;  ///< expected
+};
+Plan plan(const input::Case& description, const Meshes& meshes);
+
+struct Progress {
+  std::string phase;                 ///< "rigid skin", "body", ...
+  int increment = 0, iteration = 0;
+  double load = 0.0, residual = 0.0; ///< s; relative residual
+  int contact_nodes = 0;
+  double elapsed = 0.0, expected = 0.0;  ///< s
+};
+using Observer = std::function<void(const Progress&)>;
+
+/// Solves the scene of the case. Never throws for lack of convergence: the last converged state comes back with its status.
+/// Throws input::InputError when the scene cannot have an equilibrium or names parts that do not fit together.
+postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer = {});
+
+}  // namespace snug::solver
