@@ -1,0 +1,34 @@
+# Shared by the scripts beside it; sourced, not run.
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+scripts="$root/scripts"
+build="$root/build"
+
+say() { printf '== %s\n' "$*" >&2; }
+die() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# help_if_asked ARGS…: prints the comment block at the top of the calling script when --help or -h comes first.
+help_if_asked() {
+  case "${1:-}" in
+    -h | --help)
+      sed -n '2,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"
+      exit 0
+      ;;
+  esac
+}
+
+# timed NAME COMMAND…: runs the command and says how long it took.
+timed() {
+  local name="$1" start="$SECONDS"
+  shift
+  "$@"
+  say "$name: $((SECONDS - start)) s"
+}
+
+# compiler_jobs: compilers to run at once, one a core and one per 2 GB of free memory (a deal.II file takes about that much).
+compiler_jobs() {
+  local cores memory
+  cores="$(nproc)"
+  memory="$(awk '/^MemAvailable/ { print int($2 / 2000000) }' /proc/meminfo)"
+  ((memory < 1)) && memory=1
+  echo "${SNUG_JOBS:-$((cores < memory ? cores : memory))}"
+}
