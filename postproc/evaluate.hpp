@@ -1,0 +1,56 @@
+// What a result means for the wearer: pressure by location, sensation, overall comfort.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/input/case.hpp"
+#include "postproc/comfort.hpp"
+#include "postproc/result.hpp"
+
+namespace snug::postproc {
+
+struct LocationRow {
+  std::string name;
+  double area = 0.0;             ///< m2, deformed skin of the location
+  double coverage = 0.0;         ///< 0..1, covered share of that area
+  double mean_pressure = 0.0;    ///< Pa, weighted by covered area; 0 without cover
+  double max_pressure = 0.0;     ///< Pa, largest nodal value
+  std::optional<double> rating;  ///< [0, 4]; none without cover, comfort section or curve of that name
+  std::string term;              ///< neutral ... extremely uncomfortable; empty without a rating
+  bool significant = true;       ///< false: the trial shows no effect of pressure here, the rating is its mean
+  bool extrapolated = false;     ///< the mean pressure lies outside the trial's range
+};
+
+struct Evaluation {
+  std::vector<LocationRow> locations;  ///< in the order of the result's locations
+  std::optional<Comfort> comfort;      ///< none when no location has a rating
+  std::string curves;                  ///< where the sensation curves come from; empty without a comfort section
+};
+
+/// Evaluates the last state of a run. `directory`: of the case, for a relative curve file.
+/// Throws InputError when the curves cannot be read.
+Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
+                    const std::filesystem::path& directory = {});
+
+/// A pressure that was measured or predicted elsewhere.
+struct LocationPressure {
+  std::string location;
+  double pressure = 0.0;         ///< Pa
+};
+
+/// Reads a table with the columns location and pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg.
+/// Throws InputError with file and line: unreadable, a column missing, a location named twice.
+std::vector<LocationPressure> read_pressures(const std::filesystem::path& file);
+
+/// Ratings and comfort of given pressures, no mechanics (`snug score`). Rows have no area and full coverage.
+/// Throws InputError when no location has a curve.
+Evaluation score(const std::vector<LocationPressure>& pressures, const input::ComfortSpec& comfort,
+                 const std::filesystem::path& directory = {});
+
+/// Adds rating and term to the rows that have cover and a curve, and the comfort of those together.
+void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, const std::filesystem::path& directory);
+
+}  // namespace snug::postproc

@@ -1,0 +1,31 @@
+// Body and garment as VTK grids and as files for ParaView (VTU, PVD). Fields and units: shared/design/case-directory.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "postproc/evaluate.hpp"
+#include "postproc/result.hpp"
+
+namespace snug::postproc {
+
+/// One time step of a series.
+struct GridStep {
+  double time = 0.0;
+  std::filesystem::path file;    ///< VTU, relative to the PVD
+};
+
+/// Writes the body: points are the reference positions (ParaView: Warp By Vector with `displacement`); cells are
+/// VTK_TRIQUADRATIC_HEXAHEDRON, or VTK_BIQUADRATIC_QUAD skin facets for a rigid body.
+/// Throws std::runtime_error when the file cannot be written.
+void write_body(const BodyResult& body, const Evaluation& evaluation, const std::filesystem::path& vtu);
+
+/// Writes the garment: points are the current positions, cells VTK_QUADRATIC_TRIANGLE; point field `displacement`
+/// counts from the placed shape, so that warping by -1 goes back to it.
+void write_garment(const GarmentResult& garment, const std::filesystem::path& vtu);
+
+/// Writes the series file that ParaView opens.
+void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd);
+
+}  // namespace snug::postproc

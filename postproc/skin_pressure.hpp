@@ -1,0 +1,42 @@
+// From point forces of the garment to pressure and coverage at the nodes of the skin.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "postproc/result.hpp"
+
+namespace snug::postproc {
+
+/// Nodal contact quantities of the skin; every vector has one entry a node of the body mesh (0 off the skin).
+struct SkinPressure {
+  std::vector<double> pressure;  ///< Pa, force per garment-covered area; 0 where coverage is below 5 %; never negative
+  std::vector<double> coverage;  ///< 0..1, covered share of the node's part of the deformed skin
+  std::vector<double> area;      ///< m2, covered area of the node; sums to the area of the samples on facets
+  std::vector<double> force;     ///< N, consistent nodal force f_j = sum_q force_q N_j(xi_q); sums to the sample forces
+  double lost_force = 0.0;       ///< N, force of the samples that the returned pressure does not carry (signed):
+                                 ///< samples without a facet, uncovered nodes, clipped negative pressures
+};
+
+/// Biquadratic shape functions of a skin facet at (xi, eta) in [-1, 1]^2, tensor order: N of node (i, j) at 3 j + i.
+std::array<double, 9> biquadratic(double xi, double eta);
+
+/// Area of each node's part of the skin, m2: integral of the bilinear hat on the 3 x 3 nodes of each facet. The hats are
+/// positive and sum to one, unlike the biquadratic functions, whose negative lobes make a poor measure of area.
+std::vector<double> nodal_areas(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,
+                                const std::vector<Eigen::Vector3d>& positions);
+
+/// Consistent transfer of the samples' forces to nodal pressure: p_j = f_j / sum_q area_q N_j, then `sweeps` Richardson
+/// sweeps p += D^-1 (f - M p) towards the solution with the consistent mass M_ij = sum_q area_q N_i N_j.
+/// D is the lumped mass; at nodes on a hem, where that is small or negative, half the absolute row sum of M replaces it,
+/// which bounds every sweep. A uniform pressure comes back exactly whatever the samples.
+/// `positions`: deformed, m, one a node. Samples with facet < 0 carry nothing. Throws std::out_of_range on a bad facet.
+/// Source: shared/design/mechanics.md, "Output from f_j"; lumped-to-consistent iteration after Donea (1984).
+SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,
+                      const std::vector<Eigen::Vector3d>& positions, const std::vector<ContactSample>& samples,
+                      int sweeps = 2);
+
+}  // namespace snug::postproc
