@@ -1,0 +1,253 @@
+"""Draws body.pvd and garment.pvd of a result; started by scripts/picture, which describes the arguments."""
+import argparse
+import sys
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import vtkmodules.all as vtk
+
+PASCAL_PER_UNIT = {"Pa": 1.0, "kPa": 1e3, "mmHg": 133.322387415, "gf/cm2": 98.0665}
+# Colour maps that run from light to dark evenly (ColorBrewer YlOrRd and GnBu), white at zero.
+HEAT = ["fffff2", "ffeda0", "fed976", "feb24c", "fd8d3c", "fc4e2a", "e31a1c", "bd0026", "800026"]
+COOL = ["fafffa", "e0f3db", "ccebc5", "a8ddb5", "7bccc4", "4eb3d3", "2b8cbe", "0868ac", "084081"]
+VIEWS = [("front", (0, 1, 0)), ("side", (1, 0, 0)), ("back", (0, -1, 0))]  # frame of the body: x side, y front, z up
+INK = (0.15, 0.15, 0.15)
+
+
+def rgb(text):
+    return tuple(int(text[i : i + 2], 16) / 255 for i in (0, 2, 4))
+
+
+def last_step(collection):
+    """The grid of the last time step of a PVD file, deformed, or None where there is no such file."""
+    if not collection.is_file():
+        return None
+    sets = ElementTree.parse(collection).getroot().findall(".//DataSet")
+    if not sets:
+        sys.exit(f"error: {collection} lists no time step; run the case again")
+    last = max(sets, key=lambda entry: float(entry.get("timestep", 0)))
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(collection.parent / last.get("file")))
+    reader.Update()
+    grid = reader.GetOutput()
+    if grid.GetPointData().HasArray("displacement"):
+        grid.GetPointData().SetActiveVectors("displacement")
+        warp = vtk.vtkWarpVector()
+        warp.SetInputData(grid)
+        warp.Update()
+        grid = warp.GetOutput()
+    return grid if grid.GetNumberOfCells() else None
+
+
+def surface(grid):
+    """Outer surface as triangles, each curved facet cut finely enough to look curved."""
+    skin = vtk.vtkDataSetSurfaceFilter()
+    skin.SetInputData(grid)
+    skin.SetNonlinearSubdivisionLevel(3)
+    normals = vtk.vtkPolyDataNormals()
+    normals.SetInputConnection(skin.GetOutputPort())
+    normals.SetFeatureAngle(60)
+    normals.Update()
+    return normals.GetOutput()
+
+
+def outline(sheet):
+    """The open edges of a sheet."""
+    clean = vtk.vtkCleanPolyData()  # a seam has two rows of points at one place: sewn here
+    clean.SetInputData(sheet)
+    clean.SetToleranceIsAbsolute(True)
+    clean.SetAbsoluteTolerance(1e-6)
+    edges = vtk.vtkFeatureEdges()
+    edges.SetInputConnection(clean.GetOutputPort())
+    edges.FeatureEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.Update()
+    return edges.GetOutput()
+
+
+def array_of(data, name):
+    """(array, 'point' or 'cell') of a field, or (None, '')."""
+    for fields, place in ((data.GetPointData(), "point"), (data.GetCellData(), "cell")):
+        if fields.HasArray(name):
+            return fields.GetArray(name), place
+    return None, ""
+
+
+def scale(data, name, factor):
+    """Divides a field by `factor` in place (SI to the unit shown)."""
+    array, _ = array_of(data, name)
+    for i in range(array.GetNumberOfTuples()):
+        array.SetValue(i, array.GetValue(i) / factor)
+
+
+def colours(table, top):
+    function = vtk.vtkColorTransferFunction()
+    function.SetColorSpaceToLab()
+    for i, colour in enumerate(table):
+        function.AddRGBPoint(top * i / (len(table) - 1), *rgb(colour))
+    return function
+
+
+def round_up(value):
+    """The next of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten."""
+    power = 10.0 ** len(str(int(value))) / 10 if value >= 1 else 1e-6
+    while True:
+        for step in (1, 1.5, 2, 3, 4, 5, 6, 8):
+            if step * power >= value:
+                return step * power
+        power *= 10
+
+
+def coloured(data, name, function):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    _, place = array_of(data, name)
+    mapper.SetScalarModeToUsePointFieldData() if place == "point" else mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray(name)
+    mapper.SetLookupTable(function)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
+    return as_actor(mapper)
+
+
+def plain(data, colour, width=None, towards_camera=0):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    actor = as_actor(mapper)
+    actor.GetProperty().SetColor(*colour)
+    if width:
+        mapper.SetResolveCoincidentTopologyToPolygonOffset()
+        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -towards_camera)
+        actor.GetProperty().SetLineWidth(width)
+        actor.GetProperty().LightingOff()
+    return actor
+
+
+def as_actor(mapper):
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.6)
+    actor.GetProperty().SetDiffuse(0.45)
+    actor.GetProperty().SetSpecular(0.0)
+    return actor
+
+
+def text(renderer, words, x, y, size, centred=True):
+    actor = vtk.vtkTextActor()
+    actor.SetInput(words)
+    style = actor.GetTextProperty()
+    style.SetColor(*INK)
+    style.SetFontSize(size)
+    if centred:
+        style.SetJustificationToCentered()
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    actor.SetPosition(x, y)
+    renderer.AddActor2D(actor)
+
+
+def colour_bar(window, function, title, box, size):
+    renderer = vtk.vtkRenderer()
+    renderer.SetViewport(*box)
+    renderer.SetBackground(1, 1, 1)
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(function)
+    bar.SetNumberOfLabels(6)
+    bar.SetLabelFormat(" %-.3g")
+    bar.UnconstrainedFontSizeOn()
+    style = bar.GetLabelTextProperty()
+    style.SetColor(*INK)
+    style.SetFontSize(size)
+    style.ItalicOff()
+    style.BoldOff()
+    style.ShadowOff()
+    bar.SetPosition(0.05, 0.08)
+    bar.SetWidth(0.5)
+    bar.SetHeight(0.72)
+    bar.SetBarRatio(0.3)
+    renderer.AddActor2D(bar)
+    text(renderer, title, 0.05, 0.86, size, centred=False)
+    window.AddRenderer(renderer)
+
+
+def row(window, actors, bounds, bottom, top, right, size):
+    """One renderer a view, all at one scale; parallel projection, so that lengths compare."""
+    low, high = bounds[0::2], bounds[1::2]
+    centre = [(a + b) / 2 for a, b in zip(low, high)]
+    across, height = max(high[0] - low[0], high[1] - low[1]), high[2] - low[2]
+    pixels = window.GetSize()
+    aspect = (right / len(VIEWS) * pixels[0]) / ((top - bottom) * pixels[1])
+    half = 0.5 * max(height, across / aspect) / 0.82
+    for i, (name, direction) in enumerate(VIEWS):
+        renderer = vtk.vtkRenderer()
+        renderer.SetViewport(right * i / len(VIEWS), bottom, right * (i + 1) / len(VIEWS), top)
+        renderer.SetBackground(1, 1, 1)
+        for actor in actors:
+            renderer.AddActor(actor)
+        text(renderer, name, 0.5, 0.015, size)
+        camera = renderer.GetActiveCamera()
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(*centre)
+        camera.SetPosition(*(c + 10 * (across + height) * d for c, d in zip(centre, direction)))
+        camera.SetViewUp(0, 0, 1)
+        camera.SetParallelScale(half)
+        renderer.ResetCameraClippingRange()
+        window.AddRenderer(renderer)
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="scripts/picture")
+    parser.add_argument("result", type=Path)
+    parser.add_argument("--out", type=Path)
+    parser.add_argument("--unit", choices=PASCAL_PER_UNIT, default="kPa")
+    parser.add_argument("--width", type=int, default=1500)
+    arguments = parser.parse_args()
+
+    body, garment = (last_step(arguments.result / name) for name in ("body.pvd", "garment.pvd"))
+    if body is None and garment is None:
+        sys.exit(f"error: {arguments.result} holds neither body.pvd nor garment.pvd; name the out/ folder of a run")
+
+    rows = []  # actors, colour function, title
+    sheet = surface(garment) if garment else None
+    skin = surface(body) if body else None
+    edge = plain(outline(sheet), INK, 2.0, 40000) if sheet else None
+    if skin and array_of(skin, "contact_pressure")[0]:
+        scale(skin, "contact_pressure", PASCAL_PER_UNIT[arguments.unit])
+        function = colours(HEAT, round_up(max(array_of(skin, "contact_pressure")[0].GetRange()[1], 1e-3)))
+        actors = [coloured(skin, "contact_pressure", function)] + ([edge] if edge else [])
+        rows.append((actors, function, f"contact pressure ({arguments.unit})"))
+    if sheet:
+        # The thread system that carries the garment: the one with the larger maximum.
+        top, name = max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
+        function = colours(COOL, round_up(max(top, 1e-3)))
+        actors = [coloured(sheet, name, function), edge]
+        if skin:
+            actors.append(plain(skin, (0.88, 0.86, 0.84)))
+        rows.append((actors, function, f"tension, {name.split('_')[1]} (N/m)"))
+
+    bounds = (skin or sheet).GetBounds()
+    width = arguments.width
+    height = int(width * 0.42 * len(rows))
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(width, height)
+    size = max(10, width // 70)
+    for i, (actors, function, title) in enumerate(rows):
+        bottom, top = 1 - (i + 1) / len(rows), 1 - i / len(rows)
+        row(window, actors, bounds, bottom, top, 0.82, size)
+        colour_bar(window, function, title, (0.82, bottom, 1.0, top), size)
+    window.Render()
+
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    out = arguments.out or arguments.result / "picture.png"
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(str(out))
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+    print(out)
+
+
+main()
