@@ -10,16 +10,9 @@
 #include <vector>
 
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/material_reference.hpp"
 
 namespace snug::input {
-
-/// A material or fabric that a case names: an entry of the shipped data, or a table of its own values.
-/// The law's own `describe` reads `table` (text of an inline TOML table, kept with its place) later, in its room.
-struct MaterialReference {
-  std::string name;   ///< database entry, e.g. "N85L15", "relaxed calf", "rigid"
-  std::string table;  ///< inline values as TOML text; empty when `name` is used
-  Location where;
-};
 
 /// One layer of the body, listed from the inside out.
 struct LayerSpec {

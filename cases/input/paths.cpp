@@ -1,0 +1,45 @@
+#include "cases/input/paths.hpp"
+
+#include <vector>
+
+#include "cases/input/suggestion.hpp"
+
+namespace snug::input {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Compares real places, so that a symbolic link does not lead out of the directory unseen.
+bool leaves(const fs::path& file, const fs::path& directory) {
+  const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(directory));
+  return relative.empty() || *relative.begin() == "..";
+}
+
+std::vector<std::string> names_beside(const fs::path& file) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(file.parent_path(), ignored))
+    names.push_back(entry.path().filename().string());
+  return names;
+}
+
+}  // namespace
+
+fs::path resolve_path(const std::string& text, const Location& where, const ReadRules& rules, Diagnostics& diagnostics) {
+  const fs::path given(text);
+  const fs::path file = (rules.directory / given).lexically_normal();
+  if (!rules.allow_outside && (given.is_absolute() || leaves(file, rules.directory))) {
+    diagnostics.error(where, "\"" + text + "\" is outside the case directory",
+                      "copy the file into the case directory and name it from there, or give --allow-outside");
+    return {};
+  }
+  if (fs::is_regular_file(file)) return file;
+  const std::string near = nearest(file.filename().string(), names_beside(file));
+  diagnostics.error(where, "there is no file \"" + text + "\" in the case directory",
+                    near.empty() ? "put the file there or correct its name"
+                                 : "did you mean \"" + (given.parent_path() / near).string() + "\"?");
+  return {};
+}
+
+}  // namespace snug::input
