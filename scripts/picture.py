@@ -19,7 +19,7 @@ def rgb(text):
 
 
 def last_step(collection):
-    """The grid of the last time step of a PVD file, deformed, or None where there is no such file."""
+    """The grid of the last time step of a PVD file, or None where there is no such file."""
     if not collection.is_file():
         return None
     sets = ElementTree.parse(collection).getroot().findall(".//DataSet")
@@ -30,13 +30,16 @@ def last_step(collection):
     reader.SetFileName(str(collection.parent / last.get("file")))
     reader.Update()
     grid = reader.GetOutput()
-    if grid.GetPointData().HasArray("displacement"):
-        grid.GetPointData().SetActiveVectors("displacement")
-        warp = vtk.vtkWarpVector()
-        warp.SetInputData(grid)
-        warp.Update()
-        grid = warp.GetOutput()
     return grid if grid.GetNumberOfCells() else None
+
+
+def deformed(body):
+    """The body's points are reference positions (the garment's are current ones)."""
+    body.GetPointData().SetActiveVectors("displacement")
+    warp = vtk.vtkWarpVector()
+    warp.SetInputData(body)
+    warp.Update()
+    return warp.GetOutput()
 
 
 def surface(grid):
@@ -166,7 +169,7 @@ def colour_bar(window, function, title, box, size):
     bar.SetHeight(0.72)
     bar.SetBarRatio(0.3)
     renderer.AddActor2D(bar)
-    text(renderer, title, 0.05, 0.86, size, centred=False)
+    text(renderer, title, 0.05, 0.84, size, centred=False)
     window.AddRenderer(renderer)
 
 
@@ -209,13 +212,13 @@ def main():
 
     rows = []  # actors, colour function, title
     sheet = surface(garment) if garment else None
-    skin = surface(body) if body else None
+    skin = surface(deformed(body)) if body else None
     edge = plain(outline(sheet), INK, 2.0, 40000) if sheet else None
     if skin and array_of(skin, "contact_pressure")[0]:
         scale(skin, "contact_pressure", PASCAL_PER_UNIT[arguments.unit])
         function = colours(HEAT, round_up(max(array_of(skin, "contact_pressure")[0].GetRange()[1], 1e-3)))
         actors = [coloured(skin, "contact_pressure", function)] + ([edge] if edge else [])
-        rows.append((actors, function, f"contact pressure ({arguments.unit})"))
+        rows.append((actors, function, f"contact pressure\n{arguments.unit}"))
     if sheet:
         # The thread system that carries the garment: the one with the larger maximum.
         top, name = max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
@@ -223,7 +226,7 @@ def main():
         actors = [coloured(sheet, name, function), edge]
         if skin:
             actors.append(plain(skin, (0.88, 0.86, 0.84)))
-        rows.append((actors, function, f"tension, {name.split('_')[1]} (N/m)"))
+        rows.append((actors, function, f"tension, {name.split('_')[1]}\nN/m"))
 
     bounds = (skin or sheet).GetBounds()
     width = arguments.width
