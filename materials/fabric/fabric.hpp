@@ -8,40 +8,42 @@
 #include <vector>
 
 #include "cases/input/case.hpp"
+#include "materials/laws/response.hpp"
 
 namespace snug::materials {
 
 /// Second Piola-Kirchhoff force per rest length S(E) (N/m) of a uniaxially strained, laterally held strip and its integral.
-/// Strictly increasing: exponential in the engineering strain e inside the data (KES LT, WT, Fm), linear in E beyond it
-/// (C1) and in compression, so that the energy stays convex.
+/// S = F/(1 + e) with the nominal force F of the engineering strain e inside the data; linear in E beyond the data (C1) and
+/// in compression. Strictly increasing, so that the energy is convex: where the slope dS/dE falls below a twentieth of the
+/// initial one (LT > 1, or a straight F at large stretch) the data range ends there, earlier than the data itself.
 class TensionCurve {
  public:
   struct Value { double energy, force, stiffness; };  ///< J/m2, N/m, N/m
-  /// S = stiffness * E.
+  TensionCurve() = default;                           ///< no stiffness at all
+  /// S = stiffness * E (St Venant-Kirchhoff): F = stiffness * l (l^2 - 1)/2 at stretch l.
   static TensionCurve linear(double stiffness);
-  /// KES tensile curve: nominal force F(e) = Fm (exp(a e) - 1)/(exp(a em) - 1), em = 2 WT / (LT Fm), LT fixes a
-  /// (reference book section 6); S = F / (1 + e). All SI: work J/m2, maximum force N/m.
+  /// KES tensile curve: F(e) = Fm (exp(a e) - 1)/(exp(a em) - 1), em = 2 WT / (LT Fm), where x = a em solves
+  /// LT/2 = (exp(x) - 1 - x)/(x (exp(x) - 1)): x > 0 for LT < 1, straight for LT = 1, concave for LT > 1
+  /// (reference book section 6). All SI: work J/m2, maximum force N/m. Throws std::invalid_argument outside 0 < LT < 2.
   static TensionCurve kes(double linearity, double work, double maximum_force);
-  /// Nominal force F(e) = k1 e + k3 e^3 (N/m).
+  /// F(e) = k1 e + k3 e^3 (N/m) up to the engineering strain `data_end`; k1 > 0, k3 >= 0.
   static TensionCurve cubic(double k1, double k3, double data_end);
+
   Value at(double green_strain) const;
+  /// Smallest dS/dE over all E (N/m).
   double smallest_stiffness() const { return smallest_stiffness_; }
+  /// Green strain where the curve goes over into its straight continuation.
+  double data_end() const { return end_; }
 
  private:
   enum class Kind { linear, kes, cubic } kind_ = Kind::linear;
-  double p0_ = 0, p1_ = 0;                  ///< parameters of the kind
+  double p0_ = 0, p1_ = 0;                  ///< kes: initial stiffness (N/m), a; cubic: k1, k3 (N/m)
   double end_ = 0;                          ///< Green strain where the data ends
   Value at_end_{};
   double initial_stiffness_ = 0, smallest_stiffness_ = 0;
-  Value inside(double green_strain) const;
-};
 
-/// Energy per rest area (J/m2), force (N/m; derivative by E11, E22, 2 E12) and tangent (N/m).
-struct MembraneResponse {
-  double energy = 0.0;
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
-  enum class State { taut, wrinkled, slack } state = State::taut;
+  TensionCurve(Kind kind, double p0, double p1, double data_end);
+  Value inside(double green_strain) const;
 };
 
 /// W = f1(E11) + f2(E22) + c E11 E22 + G/2 (2 E12)^2 with c = poisson * min stiffness (convex).
@@ -50,12 +52,15 @@ struct Fabric {
   TensionCurve warp, weft;
   double coupling = 0.0;       ///< c, N/m
   double shear = 0.0;          ///< G, N/m per rad
+  double bending = 0.0;        ///< B, N m (mean of warp and weft; 0 = not measured)
   double areal_density = 0.0;  ///< kg/m2
   double thickness = 0.0;      ///< m
   std::string source;          ///< how each number was turned into SI
 
   MembraneResponse unrelaxed(const Eigen::Vector3d& strain) const;
-  /// W_used = (1 - eta) W_r + eta W; W_r(E) = min over A >= 0 of W(E + A) (relaxed energy, any convex W).
+  /// W_used = (1 - eta) W_r + eta W; W_r(E) = min over A >= 0 of W(E + A) (relaxed energy, any convex W):
+  /// the sheet may shorten by wrinkles at no cost. Force continuous, tangent consistent and positive semidefinite.
+  /// `state` is that of W_r. Source: Pipkin, IMA J. Appl. Math. 36 (1986) 85-99.
   MembraneResponse relaxed(const Eigen::Vector3d& strain, double eta) const;
 };
 

@@ -1,4 +1,4 @@
-// What a law of tissue answers at one point.
+// What a law answers at one point.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,6 +16,15 @@ struct IsochoricResponse {
 /// U(J), U'(J), U''(J) in Pa.
 struct VolumetricResponse {
   double energy = 0.0, pressure = 0.0, modulus = 0.0;
+};
+
+/// A surface: energy per rest area (J/m2), force (N/m; derivative by E11, E22, 2 E12: S11, S22, S12 of the second
+/// Piola-Kirchhoff force per rest length) and tangent (N/m), symmetric.
+struct MembraneResponse {
+  double energy = 0.0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();
+  enum class State { taut, wrinkled, slack } state = State::taut;
 };
 
 }  // namespace snug::materials
