@@ -1,0 +1,92 @@
+#include "mesh/garment/garment_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "mesh/garment/arc_length.hpp"
+#include "mesh/garment/pattern.hpp"
+#include "mesh/garment/union_find.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+using input::InputError;
+
+constexpr double seam_turn = 0.5;  // the inner side
+
+void check(const input::GarmentSpec& spec, const Limb& limb, double cell_size) {
+  const auto& pattern = spec.pattern;
+  if (pattern.kind != "tube")
+    throw InputError(spec.where, fmt::format("pattern kind \"{}\" is not known", pattern.kind), "write \"tube\"");
+  if (!(pattern.flat_circumference > 0.0) || !(pattern.length > 0.0))
+    throw InputError(spec.where,
+                     fmt::format("the pattern measures {:g} mm by {:g} mm", 1e3 * pattern.flat_circumference,
+                                 1e3 * pattern.length),
+                     "write a positive flat_circumference and length");
+  if (!(cell_size > 0.0))
+    throw InputError(spec.where, fmt::format("the cell size is {:g} mm", 1e3 * cell_size),
+                     "write a positive cell_size, or leave it out to take the skin's");
+  constexpr double tolerance = 1e-9;  // m, so that a garment of the limb's whole length fits
+  const double lower = spec.position, upper = spec.position + pattern.length;
+  if (lower < limb.lower - tolerance || upper > limb.upper + tolerance)
+    throw InputError(spec.where,
+                     fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm",
+                                 1e3 * lower, 1e3 * upper, 1e3 * limb.lower, 1e3 * limb.upper),
+                     "move it (position), shorten it (length), or let the body reach further");
+}
+
+std::vector<int> sew(const PatternMesh& pattern) {
+  const auto &left = pattern.sides.at("left"), &right = pattern.sides.at("right");
+  if (left.size() != right.size()) throw std::logic_error("the sides of a seam are divided differently");
+  UnionFind nodes(pattern.nodes.size());
+  for (std::size_t n = 0; n < left.size(); ++n) nodes.merge(left[n], right[n]);
+  return nodes.representatives();
+}
+
+/// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from outside.
+std::vector<Eigen::Vector3d> place(const PatternMesh& pattern, const std::vector<int>& merged, double position,
+                                   double width, const Limb& limb, double lift) {
+  std::map<double, SectionArc> arcs;  // the nodes of an edge share a height
+  std::vector<Eigen::Vector3d> placed;
+  for (std::size_t n = 0; n < pattern.nodes.size(); ++n) {
+    const Eigen::Vector2d& x = pattern.nodes[merged[n]];
+    const double z = position + x.y();
+    const SectionArc& arc = arcs.try_emplace(z, *limb.skin, z, seam_turn).first->second;
+    const double turn = arc.turn_at(x.x() / width);
+    placed.push_back(limb.skin->at(turn, z) + lift * outward_normal(*limb.skin, turn, z));
+  }
+  return placed;
+}
+
+std::vector<int> representatives(const std::vector<int>& side, const std::vector<int>& merged) {
+  std::vector<int> nodes;
+  for (int node : side)
+    if (merged[node] == node || std::find(side.begin(), side.end(), merged[node]) == side.end())
+      nodes.push_back(merged[node]);
+  return nodes;
+}
+
+}  // namespace
+
+GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double cell_size, double lift) {
+  const double size = spec.cell_size > 0.0 ? spec.cell_size : cell_size;
+  check(spec, limb, size);
+  const double width = spec.pattern.flat_circumference;
+  const PatternMesh pattern = mesh_rectangle(width, spec.pattern.length, size);
+
+  GarmentMesh mesh;
+  mesh.pattern = pattern.nodes;
+  mesh.triangles = pattern.triangles;
+  mesh.merged = sew(pattern);
+  mesh.placed = place(pattern, mesh.merged, spec.position, width, limb, lift);
+  const Eigen::Vector2d warp = spec.warp == "around" ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
+  mesh.warp.assign(mesh.triangles.size(), warp);
+  for (const char* edge : {"lower", "upper"}) mesh.edges[edge] = representatives(pattern.sides.at(edge), mesh.merged);
+  mesh.mean_edge = mean_edge_length(pattern);
+  return mesh;
+}
+
+}  // namespace snug::mesh
