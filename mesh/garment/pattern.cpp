@@ -26,10 +26,10 @@ int divisions(double length, double cell_size, int least) {
 
 RectangleTags add_rectangle(double width, double length, double cell_size) {
   namespace geo = gmsh::model::geo;
-  const int a = geo::addPoint(0, 0, 0, cell_size), b = geo::addPoint(width, 0, 0, cell_size);
-  const int c = geo::addPoint(width, length, 0, cell_size), d = geo::addPoint(0, length, 0, cell_size);
   // Left and right both run upwards, so that gmsh divides them at the same heights; left comes first, so that its nodes
   // have the smaller numbers and stand for a merged pair.
+  const int a = geo::addPoint(0, 0, 0, cell_size), d = geo::addPoint(0, length, 0, cell_size);
+  const int b = geo::addPoint(width, 0, 0, cell_size), c = geo::addPoint(width, length, 0, cell_size);
   const std::map<std::string, int> side{{"left", geo::addLine(a, d)},
                                         {"right", geo::addLine(b, c)},
                                         {"lower", geo::addLine(a, b)},
