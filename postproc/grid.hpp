@@ -1,4 +1,4 @@
-// Body and garment as VTK grids and as files for ParaView (VTU, PVD). Fields and units: shared/design/case-directory.md.
+// Body and garment as files for ParaView (VTU, PVD). SI units.
 #pragma once
 
 #include <filesystem>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/input/case.hpp"
+#include "cases/input/csv.hpp"
 
 namespace snug::postproc {
 
@@ -49,9 +50,9 @@ struct SensationCurves {
   const SensationCurve* find(std::string_view location) const;
 };
 
-/// Fits the curves of a table with the columns location, sensation_rating and a pressure (see csv.hpp).
+/// Fits the curves of a table with the columns location, sensation_rating and a pressure (see pressure_table.hpp).
 /// Throws InputError: no such column, a rating outside [0, 4], a location with fewer than three different pressures.
-SensationCurves fit_curves(std::string_view csv_text, const std::string& name);
+SensationCurves fit_curves(const input::Csv& table);
 
 /// The curves a case asks for: "wear trial 2002" (shipped in the program) or a CSV file, relative to `directory`.
 SensationCurves load_curves(const input::ComfortSpec& spec, const std::filesystem::path& directory = {});

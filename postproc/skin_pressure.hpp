@@ -34,7 +34,7 @@ std::vector<double> nodal_areas(const std::vector<std::array<int, 9>>& facets, s
 /// D is the lumped mass; at nodes on a hem, where that is small or negative, half the absolute row sum of M replaces it,
 /// which bounds every sweep. A uniform pressure comes back exactly whatever the samples.
 /// `positions`: deformed, m, one a node. Samples with facet < 0 carry nothing. Throws std::out_of_range on a bad facet.
-/// Source: shared/design/mechanics.md, "Output from f_j"; lumped-to-consistent iteration after Donea (1984).
+/// Source: lumped-to-consistent iteration as in Donea, IJNME 20 (1984), Taylor-Galerkin.
 SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,
                       const std::vector<Eigen::Vector3d>& positions, const std::vector<ContactSample>& samples,
                       int sweeps = 2);

@@ -1,0 +1,110 @@
+#include "postproc/evaluate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "postproc/pressure_table.hpp"
+#include "postproc/sensation.hpp"
+#include "postproc/skin_pressure.hpp"
+
+namespace snug::postproc {
+namespace {
+
+std::vector<Eigen::Vector3d> deformed(const BodyResult& body) {
+  std::vector<Eigen::Vector3d> positions = body.nodes;
+  for (std::size_t n = 0; n < std::min(positions.size(), body.displacement.size()); ++n)
+    positions[n] += body.displacement[n];
+  return positions;
+}
+
+/// Entry n of a field that may be left out.
+double entry(const std::vector<double>& field, std::size_t n) { return n < field.size() ? field[n] : 0.0; }
+
+LocationRow summarise(const BodyResult& body, int location, const std::vector<double>& areas) {
+  LocationRow row;
+  row.name = body.locations[location];
+  double covered = 0.0, force = 0.0;
+  for (std::size_t n = 0; n < body.node_location.size(); ++n) {
+    if (body.node_location[n] != location) continue;
+    const double area = areas[n] * entry(body.coverage, n);
+    row.area += areas[n];
+    covered += area;
+    force += area * entry(body.contact_pressure, n);
+    row.max_pressure = std::max(row.max_pressure, entry(body.contact_pressure, n));
+  }
+  if (row.area > 0) row.coverage = covered / row.area;
+  if (covered > 0) row.mean_pressure = force / covered;
+  return row;
+}
+
+void rate_row(const SensationCurves& curves, LocationRow& row) {
+  const SensationCurve* curve = curves.find(row.name);
+  if (row.coverage <= 0 || !curve) return;
+  const Rating rating = rate(*curve, row.mean_pressure);
+  row.rating = rating.value;
+  row.term = rating.term;
+  row.significant = rating.significant;
+  row.extrapolated = rating.extrapolated;
+}
+
+}  // namespace
+
+void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, const std::filesystem::path& directory) {
+  const SensationCurves curves = load_curves(comfort, directory);
+  evaluation.curves = curves.source;
+  std::vector<std::pair<std::string, double>> ratings;
+  for (LocationRow& row : evaluation.locations) {
+    rate_row(curves, row);
+    if (row.rating) ratings.emplace_back(row.name, *row.rating);
+  }
+  if (!ratings.empty()) evaluation.comfort = judge(ratings);
+}
+
+Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
+                    const std::filesystem::path& directory) {
+  const BodyResult& body = run.body;
+  const std::vector<double> areas = nodal_areas(body.skin_facets, body.nodes.size(), deformed(body));
+  Evaluation evaluation;
+  for (std::size_t location = 0; location < body.locations.size(); ++location)
+    evaluation.locations.push_back(summarise(body, static_cast<int>(location), areas));
+  if (comfort) add_sensation(evaluation, *comfort, directory);
+  return evaluation;
+}
+
+std::vector<LocationPressure> read_pressures(const std::filesystem::path& file) {
+  input::Diagnostics diagnostics;
+  const input::Csv table = input::read_csv(file, diagnostics);
+  const std::vector<std::string> names = input::texts(table, "location", diagnostics);
+  const std::vector<double> pressures = pressures_of(table, diagnostics);
+  diagnostics.throw_if_any();
+  std::vector<LocationPressure> result;
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    const auto twice = [&](const LocationPressure& other) { return same_name(other.location, names[row]); };
+    if (std::any_of(result.begin(), result.end(), twice))
+      diagnostics.error(table.place(row, table.find("location")), fmt::format("location '{}' a second time", names[row]),
+                        "write one row a location, one file a garment");
+    result.push_back({names[row], pressures[row]});
+  }
+  diagnostics.throw_if_any();
+  return result;
+}
+
+Evaluation score(const std::vector<LocationPressure>& pressures, const input::ComfortSpec& comfort,
+                 const std::filesystem::path& directory) {
+  Evaluation evaluation;
+  for (const auto& [location, pressure] : pressures) {
+    LocationRow row;
+    row.name = location;
+    row.coverage = 1.0;
+    row.mean_pressure = row.max_pressure = pressure;
+    evaluation.locations.push_back(std::move(row));
+  }
+  add_sensation(evaluation, comfort, directory);
+  if (!evaluation.comfort)
+    throw input::InputError({}, "no location of the table has a sensation curve",
+                            "use the names of the curves, such as \"Front thigh\" (snug list shows them)");
+  return evaluation;
+}
+
+}  // namespace snug::postproc

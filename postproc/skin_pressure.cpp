@@ -1,0 +1,163 @@
+#include "postproc/skin_pressure.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace snug::postproc {
+namespace {
+
+constexpr double least_coverage = 0.05;
+
+using Facets = std::vector<std::array<int, 9>>;
+using Points = std::vector<Eigen::Vector3d>;
+using Basis = std::array<double, 3>;
+
+std::array<double, 9> tensor(const Basis& a, const Basis& b) {
+  std::array<double, 9> values;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) values[3 * j + i] = a[i] * b[j];
+  return values;
+}
+
+Basis quadratic(double x) { return {x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2}; }
+Basis quadratic_slope(double x) { return {x - 0.5, -2 * x, x + 0.5}; }
+/// Linear hats on the nodes -1, 0, 1.
+Basis hat(double x) { return {std::max(0.0, -x), 1 - std::abs(x), std::max(0.0, x)}; }
+
+/// Area of the facet per unit of d(xi) d(eta).
+double area_density(const std::array<int, 9>& facet, const Points& positions, double xi, double eta) {
+  const auto along_xi = tensor(quadratic_slope(xi), quadratic(eta));
+  const auto along_eta = tensor(quadratic(xi), quadratic_slope(eta));
+  Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();
+  for (int n = 0; n < 9; ++n) {
+    a += along_xi[n] * positions.at(facet[n]);
+    b += along_eta[n] * positions.at(facet[n]);
+  }
+  return a.cross(b).norm();
+}
+
+/// Sums over the samples: what the transfer needs of them.
+struct Sums {
+  explicit Sums(std::size_t nodes)
+      : force(Eigen::VectorXd::Zero(nodes)), lumped(force), covered(force), mass(nodes, nodes) {}
+  Eigen::VectorXd force;              ///< sum of force N_j
+  Eigen::VectorXd lumped;             ///< sum of area N_j; may be negative on a hem
+  Eigen::VectorXd covered;            ///< sum of area hat_j >= 0
+  Eigen::SparseMatrix<double, Eigen::RowMajor> mass;  ///< sum of area N_i N_j
+  double total_force = 0.0;
+};
+
+Sums sum_samples(const Facets& facets, std::size_t nodes, const std::vector<ContactSample>& samples) {
+  Sums sums(nodes);
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(81 * samples.size());
+  for (const ContactSample& sample : samples) {
+    sums.total_force += sample.force;
+    if (sample.facet < 0) continue;
+    const auto& facet = facets.at(sample.facet);
+    const auto shape = biquadratic(sample.xi, sample.eta);
+    const auto hats = tensor(hat(sample.xi), hat(sample.eta));
+    for (int i = 0; i < 9; ++i) {
+      sums.force[facet[i]] += sample.force * shape[i];
+      sums.lumped[facet[i]] += sample.area * shape[i];
+      sums.covered[facet[i]] += sample.area * hats[i];
+      for (int j = 0; j < 9; ++j) entries.emplace_back(facet[i], facet[j], sample.area * shape[i] * shape[j]);
+    }
+  }
+  sums.mass.setFromTriplets(entries.begin(), entries.end());
+  return sums;
+}
+
+/// D of the sweeps. Inside the cover this is the lumped mass (there the absolute row sum is just under twice as large).
+/// On a hem half the absolute row sum takes over: no eigenvalue of D^-1 M exceeds 2 then (Gershgorin), so no sweep
+/// amplifies an error.
+Eigen::VectorXd sweep_diagonal(const Sums& sums) {
+  Eigen::VectorXd diagonal = sums.lumped;
+  for (int i = 0; i < sums.mass.outerSize(); ++i) {
+    double row = 0.0;
+    for (decltype(sums.mass)::InnerIterator entry(sums.mass, i); entry; ++entry) row += std::abs(entry.value());
+    diagonal[i] = std::max(diagonal[i], 0.5 * row);
+  }
+  return diagonal;
+}
+
+/// Pressure of the first step. Where the lumped mass is too small a divisor, the mean pressure of the node's
+/// neighbourhood, weighted by the hats, stands in: it lies between the pressures of the samples.
+Eigen::VectorXd first_pressure(const Sums& sums, const Eigen::VectorXd& diagonal, const Eigen::VectorXd& hat_force) {
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(sums.force.size());
+  for (Eigen::Index j = 0; j < pressure.size(); ++j) {
+    if (sums.lumped[j] > 0 && sums.lumped[j] >= diagonal[j])
+      pressure[j] = sums.force[j] / sums.lumped[j];
+    else if (sums.covered[j] > 0)
+      pressure[j] = hat_force[j] / sums.covered[j];
+  }
+  return pressure;
+}
+
+Eigen::VectorXd forces_on_hats(const Facets& facets, std::size_t nodes, const std::vector<ContactSample>& samples) {
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(nodes);
+  for (const ContactSample& sample : samples) {
+    if (sample.facet < 0 || sample.area <= 0) continue;
+    const auto hats = tensor(hat(sample.xi), hat(sample.eta));
+    for (int i = 0; i < 9; ++i) force[facets[sample.facet][i]] += sample.force * hats[i];
+  }
+  return force;
+}
+
+void sweep(const Sums& sums, const Eigen::VectorXd& diagonal, int sweeps, Eigen::VectorXd& pressure) {
+  for (int s = 0; s < sweeps; ++s) {
+    const Eigen::VectorXd defect = sums.force - sums.mass * pressure;
+    for (Eigen::Index j = 0; j < pressure.size(); ++j)
+      if (diagonal[j] > 0) pressure[j] += defect[j] / diagonal[j];
+  }
+}
+
+std::vector<double> to_vector(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+std::array<double, 9> biquadratic(double xi, double eta) { return tensor(quadratic(xi), quadratic(eta)); }
+
+std::vector<double> nodal_areas(const Facets& facets, std::size_t nodes, const Points& positions) {
+  // The hats have kinks at 0: two Gauss points on either side, in each direction.
+  const double inner = 0.5 - 0.5 / std::sqrt(3.0), outer = 0.5 + 0.5 / std::sqrt(3.0);
+  const std::array<double, 4> points = {-outer, -inner, inner, outer};
+  const double weight = 0.25;
+  std::vector<double> areas(nodes, 0.0);
+  for (const auto& facet : facets)
+    for (double eta : points)
+      for (double xi : points) {
+        const double area = weight * area_density(facet, positions, xi, eta);
+        const auto hats = tensor(hat(xi), hat(eta));
+        for (int n = 0; n < 9; ++n) areas.at(facet[n]) += area * hats[n];
+      }
+  return areas;
+}
+
+SkinPressure transfer(const Facets& facets, std::size_t nodes, const Points& positions,
+                      const std::vector<ContactSample>& samples, int sweeps) {
+  const Sums sums = sum_samples(facets, nodes, samples);
+  const Eigen::VectorXd diagonal = sweep_diagonal(sums);
+  Eigen::VectorXd pressure = first_pressure(sums, diagonal, forces_on_hats(facets, nodes, samples));
+  sweep(sums, diagonal, sweeps, pressure);
+
+  const std::vector<double> areas = nodal_areas(facets, nodes, positions);
+  SkinPressure result;
+  result.coverage.assign(nodes, 0.0);
+  for (std::size_t j = 0; j < nodes; ++j) {
+    if (areas[j] > 0) result.coverage[j] = std::clamp(sums.covered[j] / areas[j], 0.0, 1.0);
+    // The sweeps need the values of barely covered nodes; only the answer leaves them out.
+    if (result.coverage[j] < least_coverage || pressure[j] < 0) pressure[j] = 0.0;
+  }
+  result.lost_force = sums.total_force - sums.lumped.dot(pressure);
+  result.pressure = to_vector(pressure);
+  result.area = to_vector(sums.covered);
+  result.force = to_vector(sums.force);
+  return result;
+}
+
+}  // namespace snug::postproc
