@@ -2,99 +2,103 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <algorithm>
+#include <cmath>
 #include <map>
-#include <sstream>
+#include <optional>
 
+#include "cases/input/csv.hpp"
+#include "cases/input/suggestion.hpp"
 #include "mesh/body/elliptic_outline.hpp"
 
 namespace snug::mesh {
 
 namespace {
 
-using input::InputError;
-using input::Location;
+using input::Csv;
+using input::Diagnostics;
 
-struct Row {
-  std::map<std::string, double> value;  // SI
-  Location where;
-};
-
-struct Column {
+struct ColumnSpec {
   std::string name;
-  double unit = 1.0;
+  std::string unit;                 // SI; empty for a ratio
+  std::optional<double> otherwise;  // value of a column that is left out
+  bool positive = false;
 };
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\""), last = text.find_last_not_of(" \t\r\"");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+const std::vector<ColumnSpec>& column_specs() {
+  static const std::vector<ColumnSpec> specs = {
+      {"height", "m", {}, false},
+      {"girth", "m", {}, true},
+      {"width_to_depth", "", 1.0, true},
+      {"centre_x", "m", 0.0, false},
+      {"centre_y", "m", 0.0, false},
+      {"bone_girth", "m", {}, true},
+      {"bone_width_to_depth", "", 1.0, true},
+      {"bone_x", "m", 0.0, false},
+      {"bone_y", "m", 0.0, false}};
+  return specs;
 }
 
-Column parse_column(const std::string& cell, const Location& where) {
-  const auto open = cell.find('['), close = cell.find(']');
-  Column column{trimmed(cell.substr(0, open))};
-  if (open == std::string::npos || close == std::string::npos) return column;
-  const std::string unit = trimmed(cell.substr(open + 1, close - open - 1));
-  const std::map<std::string, double> units = {{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}};
-  if (!units.contains(unit)) throw InputError(where, "unknown unit [" + unit + "]", "write [mm], [cm] or [m]");
-  column.unit = units.at(unit);
-  return column;
+void check_known(const Csv& csv, Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const auto& spec : column_specs()) known.push_back(spec.name);
+  for (const auto& column : csv.columns)
+    if (std::find(known.begin(), known.end(), column.name) == known.end())
+      diagnostics.error(column.where, fmt::format("the column \"{}\" is not known", column.name),
+                        input::did_you_mean(column.name, known));
 }
 
-std::vector<Row> read_rows(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError({path}, "the file cannot be opened", "check the name in body.stations");
-  std::vector<Column> columns;
-  std::vector<Row> rows;
-  std::string line, cell;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (trimmed(line).empty() || trimmed(line)[0] == '#') continue;
-    std::stringstream cells(line);
-    const bool header = columns.empty();
-    Row row{{}, {path, number, 1}};
-    for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {
-      if (header) columns.push_back(parse_column(cell, row.where));
-      else if (i < columns.size()) row.value[columns[i].name] = std::stod(cell) * columns[i].unit;
-    }
-    if (!header) rows.push_back(row);
+std::vector<double> read_column(const Csv& csv, const ColumnSpec& spec, Diagnostics& diagnostics) {
+  if (spec.otherwise && csv.find(spec.name) < 0) return std::vector<double>(csv.rows.size(), *spec.otherwise);
+  const auto values = input::numbers(csv, spec.name, spec.unit, diagnostics);
+  for (std::size_t r = 0; r < values.size(); ++r) {
+    const auto where = csv.place(r, csv.find(spec.name));
+    if (!std::isfinite(values[r]))
+      diagnostics.error(where, fmt::format("{} is not finite", spec.name), "write a number");
+    else if (spec.positive && !(values[r] > 0.0))
+      diagnostics.error(where, fmt::format("{} is {:g} {}", spec.name, values[r], spec.unit),
+                        "write a value greater than zero");
   }
-  return rows;
+  return values;
 }
 
-double get(const Row& row, const std::string& name, std::optional<double> otherwise = {}) {
-  if (const auto found = row.value.find(name); found != row.value.end()) return found->second;
-  if (otherwise) return *otherwise;
-  throw InputError(row.where, "column " + name + " is missing", "add the column \"" + name + " [mm]\"");
+void check_heights(const Csv& csv, const std::vector<double>& height, Diagnostics& diagnostics) {
+  if (csv.rows.size() == 1)
+    diagnostics.error(csv.place(0, 0), "there is only one station", "give at least two, one row a section");
+  for (std::size_t r = 1; r < height.size(); ++r)
+    if (!(height[r] > height[r - 1]))
+      diagnostics.error(csv.place(r, csv.find("height")),
+                        fmt::format("height {:g} m is not above the row before ({:g} m)", height[r], height[r - 1]),
+                        "list the stations from below upwards, each height once");
 }
 
-Ellipse section_of(const Row& row, const std::string& girth, const std::string& ratio, const std::string& x,
-                   const std::string& y) {
-  const double perimeter = get(row, girth), width_to_depth = get(row, ratio, 1.0);
-  if (!(perimeter > 0.0))
-    throw InputError(row.where, fmt::format("{} of {:g} mm", girth, 1e3 * perimeter), "write a positive girth");
-  if (!(width_to_depth > 0.0))
-    throw InputError(row.where, fmt::format("{} of {:g}", ratio, width_to_depth), "write a positive ratio (1 = circle)");
-  return ellipse_of_girth(get(row, "height"), perimeter, width_to_depth, get(row, x, 0.0), get(row, y, 0.0));
+using Columns = std::map<std::string, std::vector<double>>;
+
+std::unique_ptr<Outline> outline_of(const Columns& column, const std::string& girth, const std::string& ratio,
+                                    const std::string& x, const std::string& y) {
+  std::vector<Ellipse> sections;
+  for (std::size_t r = 0; r < column.at("height").size(); ++r)
+    sections.push_back(ellipse_of_girth(column.at("height")[r], column.at(girth)[r], column.at(ratio)[r],
+                                        column.at(x)[r], column.at(y)[r]));
+  return std::make_unique<EllipticOutline>(sections);
 }
 
 }  // namespace
 
 Limb limb_from_stations(const input::BodySpec& spec) {
-  const std::string path = spec.stations.string();
-  const std::vector<Row> rows = read_rows(path);
-  if (rows.size() < 2)
-    throw InputError({path}, fmt::format("{} station(s)", rows.size()), "give at least two stations (rows)");
-  std::vector<Ellipse> skin, bone;
-  for (const Row& row : rows) {
-    skin.push_back(section_of(row, "girth", "width_to_depth", "centre_x", "centre_y"));
-    bone.push_back(section_of(row, "bone_girth", "bone_width_to_depth", "bone_x", "bone_y"));
-    if (skin.size() > 1 && !(skin.back().z > skin[skin.size() - 2].z))
-      throw InputError(row.where, fmt::format("height {:g} mm is not above the one before", 1e3 * skin.back().z),
-                       "list the stations from below upwards, each height once");
-  }
-  Limb limb{std::make_unique<EllipticOutline>(skin), std::make_unique<EllipticOutline>(bone), skin.front().z,
-            skin.back().z};
-  check_bone_inside(limb, {path});
+  Diagnostics diagnostics;
+  const Csv csv = input::read_csv(spec.stations, diagnostics);
+  diagnostics.throw_if_any();
+  check_known(csv, diagnostics);
+  Columns column;
+  for (const auto& column_spec : column_specs())
+    column[column_spec.name] = read_column(csv, column_spec, diagnostics);
+  check_heights(csv, column.at("height"), diagnostics);
+  diagnostics.throw_if_any();
+  Limb limb{outline_of(column, "girth", "width_to_depth", "centre_x", "centre_y"),
+            outline_of(column, "bone_girth", "bone_width_to_depth", "bone_x", "bone_y"), column.at("height").front(),
+            column.at("height").back()};
+  check_bone_inside(limb, {csv.file});
   return limb;
 }
 
