@@ -1,105 +1,56 @@
 // The typed content of a case directory: plain structs, every value in SI, every error already reported.
 #pragma once
 
-#include <Eigen/Core>
-
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/input/body_spec.hpp"
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/garment_spec.hpp"
 #include "cases/input/material_reference.hpp"
 
 namespace snug::input {
 
-/// One layer of the body, listed from the inside out.
-struct LayerSpec {
-  std::string name;
-  MaterialReference material;
-  std::optional<double> thickness;    ///< m; one solid layer may leave it out and takes the rest
-  std::string form = "solid";         ///< rigid | solid | membrane (skin: membrane by default)
-  int cells = 2;                      ///< hexahedra through the layer (solid)
-  Location where;
-};
-
-/// A named patch of skin: sector of angle round the axis and range of height. Angle 0 = side (+x), 90 deg = front (+y).
-struct LocationSpec {
-  std::string name;                   ///< key of the sensation curve, e.g. "Front thigh"
-  double from_angle = 0.0, to_angle = 0.0;              ///< rad
-  std::optional<double> from_height, to_height;         ///< m
-};
-
-/// Bone outline for scans: an ellipse that follows the limb's centre line.
-struct BoneSpec {
-  double girth = 0.0;                 ///< m
-  double width_to_depth = 1.0;
-  std::array<double, 2> offset = {0.0, 0.0};            ///< m, from the section's centroid (x, y)
-};
-
-/// A plane that cuts a scanned surface (point and outward normal in the frame of the body, metres).
-struct CutPlane {
-  std::array<double, 3> point = {0, 0, 0};
-  std::array<double, 3> normal = {0, 0, 1};
-};
-
-struct ScanSpec {
-  std::filesystem::path surface;      ///< OBJ, STL or v/f text
-  double unit = 1.0;                  ///< metres per file unit
-  std::string up = "z", front = "y";  ///< file axes that become +z and +y ("y", "-z", ...)
-  CutPlane lower, upper;              ///< in the file's frame, in metres
-  double smoothing_radius = 0.0;      ///< m; 0 = two cell widths
-  BoneSpec bone;
-};
-
-struct BodySpec {
-  std::string kind = "stations";      ///< stations | scan
-  std::filesystem::path stations;     ///< CSV
-  std::optional<ScanSpec> scan;
-  std::vector<LayerSpec> layers;
-  std::vector<LocationSpec> locations;
-  int cells_around = 24, cells_along = 12;
-  std::string ends = "sliding";       ///< cut planes: sliding (no axial displacement) | free | fixed
-  Location where;
-};
-
-struct PatternSpec {
-  std::string kind = "tube";
-  double flat_circumference = 0.0;    ///< m
-  double length = 0.0;                ///< m
-};
-
-struct HeldEdge {
-  std::string edge;                   ///< upper | lower
-  std::string held = "axis";          ///< axis: no displacement along the body's axis | all
-};
-
-struct GarmentSpec {
-  PatternSpec pattern;
-  MaterialReference fabric;
-  std::string warp = "along";         ///< along | around the body's axis
-  double position = 0.0;              ///< m; height of the lower edge as placed
-  double cell_size = 0.0;             ///< m; 0 = the skin's mean cell size
-  std::vector<HeldEdge> held;
-  Location where;
-};
-
 struct ContactSpec {
   std::string basis = "hat";          ///< hat | dual: test functions of the weighted gap
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}}, self.basis);
+  }
 };
 
 struct ComfortSpec {
   MaterialReference curves;           ///< "wear trial 2002" or a CSV file of the case
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "curves", .meaning = "sensation against pressure by location: \"wear trial 2002\" or a CSV file",
+                .required = true}, self.curves);
+  }
 };
 
 /// Follower pressure on the skin (no garment needed).
 struct LoadSpec {
   double skin_pressure = 0.0;         ///< Pa
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "skin_pressure", .unit = "Pa", .meaning = "pressure on the whole skin, follows the deformed surface",
+                .required = true}, self.skin_pressure);
+  }
 };
 
 struct SolverSpec {
   std::string tier = "L4";            ///< L0 | L1 | L4
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "tier", .meaning = "L0: tension times curvature on the undeformed skin; L1: rigid skin; "
+                "L4: nonlinear layered body", .choices = {"L0", "L1", "L4"}}, self.tier);
+  }
 };
 
 /// A case directory, read.
@@ -112,6 +63,17 @@ struct Case {
   std::optional<ComfortSpec> comfort;
   std::optional<LoadSpec> load;
   SolverSpec solver;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "title", .meaning = "one line that names the case in results", .required = true}, self.title);
+    field(Field{.key = "body", .meaning = "the body: layers, mesh, locations"}, self.body);
+    field(Field{.key = "garment", .meaning = "the garment: pattern, fabric, placement"}, self.garment);
+    field(Field{.key = "contact", .meaning = "contact of garment and skin"}, self.contact);
+    field(Field{.key = "comfort", .meaning = "sensation by location and overall comfort"}, self.comfort);
+    field(Field{.key = "load", .meaning = "loads without a garment"}, self.load);
+    field(Field{.key = "solver", .meaning = "how much of the body is solved"}, self.solver);
+  }
 };
 
 struct ReadOptions {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <fstream>
 
 #include "cases/input/suggestion.hpp"
@@ -88,7 +89,7 @@ bool parse_number(const std::string& text, double& value) {
   const char* end = begin + text.size();
   if (begin != end && *begin == '+') ++begin;
   const auto [rest, fault] = std::from_chars(begin, end, value);
-  return fault == std::errc{} && rest == end;
+  return fault == std::errc{} && rest == end && std::isfinite(value);
 }
 
 std::vector<std::string> names(const Csv& csv) {

@@ -173,6 +173,10 @@ std::string read_choice(const Table& table, const std::string& key, const std::v
 
 std::optional<double> read_number(const Field& field, const Value& value, Diagnostics& diagnostics) {
   const auto number = field.unit.empty() ? plain_number(field, value, diagnostics) : quantity(field, value, diagnostics);
+  if (number && !std::isfinite(*number)) {
+    diagnostics.error(value.where, field.key + " is " + value.description(), "give a finite number");
+    return std::nullopt;
+  }
   if (number) check_bound(field, value, *number, diagnostics);
   return number;
 }

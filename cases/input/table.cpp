@@ -118,6 +118,12 @@ const Value* Table::find(const std::string& key) const {
   return nullptr;
 }
 
+Value* Table::find(const std::string& key) {
+  for (Entry& entry : entries)
+    if (entry.key == key) return &entry.value;
+  return nullptr;
+}
+
 const Table* Table::table(const std::string& key) const {
   const Value* value = find(key);
   return value ? value->table() : nullptr;

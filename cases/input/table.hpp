@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Table {
 
   /// The value of `key`, or nullptr.
   const Value* find(const std::string& key) const;
+  Value* find(const std::string& key);
   /// The table `key`, or nullptr when it is absent or no table.
   const Table* table(const std::string& key) const;
   /// Place of the key itself; the table's place when the key is absent.
@@ -44,6 +46,14 @@ struct Value {
   /// "the text \"abc\"", "the bare number 3", "a table", ... for messages.
   std::string description() const;
 };
+
+/// A value that stands in no file.
+template <class Data>
+Value value_without_place(Data data) {
+  Value value;
+  value.data = std::move(data);
+  return value;
+}
 
 struct Entry {
   std::string key;

@@ -1,0 +1,179 @@
+#include "cases/input/case_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <set>
+
+namespace snug::input {
+
+namespace {
+
+struct Unavailable {
+  std::string section, key, remedy;
+};
+
+/// Inputs that are planned, so that they are not mistaken for misspellings.
+std::vector<Unavailable> unavailable() {
+  return {{"contact", "friction", "friction is not available yet; leave it out: contact is frictionless"},
+          {"body", "imported", "imported meshes are not available yet; use kind = \"stations\" or \"scan\""},
+          {"garment", "bending", "bending is not available yet; leave it out"},
+          {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"},
+          {"", "reference", "comparison with reference tables is not available yet; leave [reference] out"}};
+}
+
+void check_layer_order(const std::vector<LayerSpec>& layers, Diagnostics& diagnostics) {
+  if (layers.front().form != "rigid")
+    diagnostics.error(layers.front().where, fmt::format("the innermost layer \"{}\" is not rigid", layers.front().name),
+                      "list the layers from the inside out and begin with the bone: material = \"rigid\"");
+  for (std::size_t n = 1; n < layers.size(); ++n) {
+    if (layers[n].form == "rigid")
+      diagnostics.error(layers[n].where, fmt::format("the rigid layer \"{}\" is not the innermost", layers[n].name),
+                        "list the bone first; only it can be rigid");
+    if (layers[n].form == "membrane" && n + 1 != layers.size())
+      diagnostics.error(layers[n].where, fmt::format("the membrane \"{}\" is not the outermost layer", layers[n].name),
+                        "list the skin last, or give this layer form = \"solid\"");
+  }
+}
+
+void check_thicknesses(const BodySpec& body, Diagnostics& diagnostics) {
+  std::vector<std::string> open;
+  int solids = 0;
+  for (const LayerSpec& layer : body.layers) {
+    if (layer.form == "membrane" && !layer.thickness)
+      diagnostics.error(layer.where, fmt::format("the membrane \"{}\" has no thickness", layer.name),
+                        "give it, e.g. thickness = \"1.5 mm\"");
+    if (layer.form == "rigid" && layer.thickness)
+      diagnostics.error(layer.where, fmt::format("the rigid layer \"{}\" has a thickness", layer.name),
+                        "leave it out: the outline of the bone comes from the stations or the scan");
+    if (layer.form != "solid") continue;
+    ++solids;
+    if (!layer.thickness) open.push_back(layer.name);
+  }
+  if (solids == 0)
+    diagnostics.error(body.where, "the body has no solid layer between bone and skin",
+                      "add one, e.g. { name = \"tissue\", material = \"relaxed thigh\" }");
+  else if (open.size() != 1)
+    diagnostics.error(body.where, fmt::format("{} solid layers have no thickness", open.size()),
+                      "leave the thickness out at exactly one solid layer: it takes the rest between bone and skin");
+}
+
+void check_names(const BodySpec& body, Diagnostics& diagnostics) {
+  std::set<std::string> seen;
+  for (const LayerSpec& layer : body.layers)
+    if (!seen.insert(layer.name).second && !layer.name.empty())
+      diagnostics.error(layer.where, fmt::format("a second layer is called \"{}\"", layer.name), "give each layer its own name");
+  seen.clear();
+  for (const LocationSpec& location : body.locations)
+    if (!seen.insert(location.name).second && !location.name.empty())
+      diagnostics.error(location.where, fmt::format("a second location is called \"{}\"", location.name),
+                        "give each location its own name");
+}
+
+void check_locations(const BodySpec& body, Diagnostics& diagnostics) {
+  for (const LocationSpec& location : body.locations) {
+    const double sector = location.to_angle - location.from_angle;
+    if (!(sector > 0.0 && sector <= 2.0 * std::numbers::pi + 1e-12))
+      diagnostics.error(location.where,
+                        fmt::format("the sector of \"{}\" is {:.4g} deg wide", location.name, sector * 180.0 / std::numbers::pi),
+                        "let to_angle lie above from_angle by at most 360 deg, e.g. from \"-45 deg\" to \"45 deg\"");
+    if (location.from_height && location.to_height && !(*location.to_height > *location.from_height))
+      diagnostics.error(location.where, fmt::format("to_height of \"{}\" is not above from_height", location.name),
+                        "heights count upwards from the lower cut's side");
+  }
+}
+
+void check_kind(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
+  const bool scan = body.kind == "scan";
+  const std::string used = scan ? "scan" : "stations", unused = scan ? "stations" : "scan";
+  if (!table.find(used))
+    diagnostics.error(body.where, fmt::format("kind = \"{}\" needs {}", body.kind, scan ? "a section [body.scan]" : "stations"),
+                      scan ? "add [body.scan] with surface, lower, upper and bone"
+                           : "name the CSV file of the girths: stations = \"body/limb.csv\"");
+  if (table.find(unused))
+    diagnostics.error(table.where_is(unused), fmt::format("{} is given, but kind = \"{}\" does not use it", unused, body.kind),
+                      fmt::format("leave it out or write kind = \"{}\"", unused));
+}
+
+void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
+  check_kind(body, table, diagnostics);
+  check_names(body, diagnostics);
+  check_locations(body, diagnostics);
+  if (!table.find("layers")) return;  // already reported
+  if (body.layers.empty())
+    return diagnostics.error(table.where_is("layers"), "the body has no layers", "list them from the inside out, the bone first");
+  check_layer_order(body.layers, diagnostics);
+  check_thicknesses(body, diagnostics);
+}
+
+void check_held(const GarmentSpec& garment, Diagnostics& diagnostics) {
+  std::set<std::string> seen;
+  for (const HeldEdge& held : garment.held)
+    if (!seen.insert(held.edge).second && !held.edge.empty())
+      diagnostics.error(held.where, fmt::format("the {} edge is held twice", held.edge), "name each edge once");
+}
+
+void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) {
+  const auto error = [&](const std::string& key, const std::string& found, const std::string& remedy) {
+    diagnostics.error(root.where_is(key), found, remedy);
+  };
+  const bool body = root.find("body"), garment = root.find("garment"), load = root.find("load");
+  if (!body && !garment) error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
+  if (garment && !body)
+    error("garment", "there is a [garment] but no [body]",
+          "add [body]; for a rigid one write tier = \"L1\" in [solver]. A garment alone is not available yet");
+  if (garment && body && !root.find("contact"))
+    error("garment", "there is a [garment] on a [body] but no [contact]: they would not touch", "add a line [contact]");
+  if (root.find("contact") && !garment) error("contact", "there is [contact] but no [garment]", "add [garment] or leave [contact] out");
+  if (root.find("comfort") && !root.find("contact"))
+    error("comfort", "[comfort] judges contact pressure, but there is no [contact]",
+          "add [garment] and [contact], or leave [comfort] out");
+  if (load && !body) error("load", "there is a [load] but no [body]", "add [body] or leave [load] out");
+  if (body && !garment && !load) error("body", "nothing acts on the body", "add [garment] with [contact], or [load]");
+}
+
+void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
+  if (c.solver.tier == "L4") return;
+  if (root.find("load"))
+    diagnostics.error(root.where_is("load"), fmt::format("tier {} has a rigid body, which no [load] deforms", c.solver.tier),
+                      "use tier L4 or leave [load] out");
+}
+
+}  // namespace
+
+void refuse_unavailable(Table& root, Diagnostics& diagnostics) {
+  for (const Unavailable& item : unavailable()) {
+    Value* section_value = item.section.empty() ? nullptr : root.find(item.section);
+    Table* section = item.section.empty() ? &root : section_value ? section_value->table() : nullptr;
+    if (!section || !section->find(item.key)) continue;
+    diagnostics.error(section->where_is(item.key), fmt::format("the key {} is not supported", item.key), item.remedy);
+    section->remove(item.key);
+  }
+}
+
+void complete(Case& description, const Table& root) {
+  const Table* body = root.table("body");
+  const Value* given = body ? body->find("layers") : nullptr;
+  if (!description.body || !given || !given->array()) return;
+  std::vector<LayerSpec>& layers = description.body->layers;
+  for (std::size_t n = 0; n < layers.size() && n < given->array()->size(); ++n) {
+    const Table* table = (*given->array())[n].table();
+    if (!table || table->find("form")) continue;
+    const bool skin = n > 0 && n + 1 == layers.size() && layers[n].thickness;
+    layers[n].form = layers[n].material.name == "rigid" ? "rigid" : skin ? "membrane" : "solid";
+  }
+}
+
+void check_case(const Case& description, const Table& root, Diagnostics& diagnostics) {
+  check_presence(description, root, diagnostics);
+  if (description.body)
+    if (const Table* body = root.table("body")) check_body(*description.body, *body, diagnostics);
+  if (description.garment) check_held(*description.garment, diagnostics);
+  check_tier(description, root, diagnostics);
+  if (description.body && description.comfort && description.body->locations.empty())
+    diagnostics.error(root.where_is("comfort"), "[comfort] has no locations to judge",
+                      "add [[body.locations]] named like the sensation curves, e.g. \"Front thigh\"");
+}
+
+}  // namespace snug::input

@@ -1,0 +1,40 @@
+#include "cases/input/echo.hpp"
+
+#include <fmt/format.h>
+
+namespace snug::input {
+
+std::optional<Value> Echo::value_of(const Field& field, double member) const {
+  if (field.unit.empty()) return value_without_place(member);
+  return value_without_place(fmt::format("{} {}", member, field.unit));  // shortest text that reads back to the same number
+}
+
+std::optional<Value> Echo::value_of(const Field&, int member) const { return value_without_place(static_cast<long long>(member)); }
+
+std::optional<Value> Echo::value_of(const Field&, bool member) const { return value_without_place(member); }
+
+std::optional<Value> Echo::value_of(const Field&, const std::string& member) const {
+  if (member.empty()) return std::nullopt;
+  return value_without_place(member);
+}
+
+std::optional<Value> Echo::value_of(const Field&, const std::filesystem::path& member) const {
+  if (member.empty()) return std::nullopt;
+  const auto relative = directory_.empty() ? member : member.lexically_relative(directory_);
+  const bool inside = !relative.empty() && *relative.begin() != "..";
+  return value_without_place((inside ? relative : std::filesystem::absolute(member)).generic_string());
+}
+
+std::optional<Value> Echo::value_of(const Field&, const MaterialReference& member) const {
+  if (!member.name.empty()) return value_without_place(member.name);
+  if (member.table.empty()) return std::nullopt;
+  Diagnostics ignored;  // the text was parsed before
+  return value_without_place(parse_text(member.table, member.where, ignored));
+}
+
+std::string echo_text(const Case& description) {
+  return "# The values used, in SI, with defaults filled in.\n" +
+         to_toml(to_table(description, description.directory.lexically_normal()));
+}
+
+}  // namespace snug::input

@@ -1,0 +1,89 @@
+// The reference of every input, generated from the same descriptions that read it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "cases/input/case.hpp"
+#include "cases/input/field.hpp"
+
+namespace snug::input {
+
+/// One input as a reader of the reference sees it.
+struct ReferenceRow {
+  std::string key;            ///< with its sections: "body.layers[].thickness"
+  std::string kind;           ///< "text", "quantity", "number", "whole number", "file", "material", "section", "list of ..."
+  Field field;
+  std::string default_value;  ///< as written in a case; empty when there is none
+};
+
+/// Visitor over one `describe`: collects the rows, sections included.
+class Reference {
+ public:
+  explicit Reference(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  template <class Member>
+  void operator()(const Field& field, const Member& member) {
+    add(field, prefix_ + field.key, member, "");
+  }
+  std::vector<ReferenceRow> rows() && { return std::move(rows_); }
+
+ private:
+  void add(const Field& field, const std::string& key, double member, const std::string& list);
+  void add(const Field& field, const std::string& key, int member, const std::string& list);
+  void add(const Field& field, const std::string& key, bool member, const std::string& list);
+  void add(const Field& field, const std::string& key, const std::string& member, const std::string& list);
+  void add(const Field& field, const std::string& key, const std::filesystem::path& member, const std::string& list);
+  void add(const Field& field, const std::string& key, const MaterialReference& member, const std::string& list);
+  void push(const Field& field, const std::string& key, const std::string& kind, std::string default_value);
+
+  template <class T>
+  void add(const Field& field, const std::string& key, const std::optional<T>&, const std::string& list) {
+    const std::size_t own = rows_.size();
+    add(field, key, T{}, list);
+    rows_[own].default_value.clear();  // left out means left out, not T's own default
+  }
+  template <class T>
+  void add(const Field& field, const std::string& key, const std::vector<T>&, const std::string&) {
+    const std::size_t own = rows_.size();
+    add(field, key + (std::is_class_v<T> && !std::is_same_v<T, std::string> ? "[]" : ""), T{}, "list of ");
+    rows_[own].default_value.clear();
+  }
+  template <class T, std::size_t N>
+  void add(const Field& field, const std::string& key, const std::array<T, N>&, const std::string&) {
+    const std::size_t own = rows_.size();
+    add(field, key, T{}, "list of " + std::to_string(N) + " ");
+    rows_[own].default_value.clear();
+  }
+  template <class T>
+  void add(const Field& field, const std::string& key, const T& member, const std::string& list) {
+    push(field, key, list + "section", "");
+    Reference inner(key + ".");
+    T::describe(member, inner);
+    for (ReferenceRow& row : std::move(inner).rows()) rows_.push_back(std::move(row));
+  }
+
+  std::string prefix_;
+  std::vector<ReferenceRow> rows_;
+};
+
+/// Rows of one described type; `prefix` ("neo-Hooke.") stands before its keys.
+template <class T>
+std::vector<ReferenceRow> reference_of(const std::string& prefix = {}) {
+  Reference reference(prefix);
+  const T defaults{};
+  T::describe(defaults, reference);
+  return std::move(reference).rows();
+}
+
+/// Everything that case.toml can hold.
+std::vector<ReferenceRow> case_reference();
+
+/// A few lines that explain one input.
+std::string explanation(const ReferenceRow& row);
+
+}  // namespace snug::input
