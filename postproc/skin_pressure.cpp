@@ -43,10 +43,12 @@ double area_density(const std::array<int, 9>& facet, const Points& positions, do
 /// Sums over the samples: what the transfer needs of them.
 struct Sums {
   explicit Sums(std::size_t nodes)
-      : force(Eigen::VectorXd::Zero(nodes)), lumped(force), covered(force), mass(nodes, nodes) {}
+      : force(Eigen::VectorXd::Zero(nodes)), lumped(force), covered(force), near_force(force), near_area(force),
+        mass(nodes, nodes) {}
   Eigen::VectorXd force;              ///< sum of force N_j
   Eigen::VectorXd lumped;             ///< sum of area N_j; may be negative on a hem
   Eigen::VectorXd covered;            ///< sum of area hat_j >= 0
+  Eigen::VectorXd near_force, near_area;  ///< sums of force |N_j| and area |N_j| over samples with an area
   Eigen::SparseMatrix<double, Eigen::RowMajor> mass;  ///< sum of area N_i N_j
   double total_force = 0.0;
 };
@@ -65,6 +67,8 @@ Sums sum_samples(const Facets& facets, std::size_t nodes, const std::vector<Cont
       sums.force[facet[i]] += sample.force * shape[i];
       sums.lumped[facet[i]] += sample.area * shape[i];
       sums.covered[facet[i]] += sample.area * hats[i];
+      if (sample.area > 0) sums.near_force[facet[i]] += sample.force * std::abs(shape[i]);
+      sums.near_area[facet[i]] += sample.area * std::abs(shape[i]);
       for (int j = 0; j < 9; ++j) entries.emplace_back(facet[i], facet[j], sample.area * shape[i] * shape[j]);
     }
   }
@@ -85,27 +89,18 @@ Eigen::VectorXd sweep_diagonal(const Sums& sums) {
   return diagonal;
 }
 
-/// Pressure of the first step. Where the lumped mass is too small a divisor, the mean pressure of the node's
-/// neighbourhood, weighted by the hats, stands in: it lies between the pressures of the samples.
-Eigen::VectorXd first_pressure(const Sums& sums, const Eigen::VectorXd& diagonal, const Eigen::VectorXd& hat_force) {
+/// Pressure of the first step. Where the lumped mass is too small a divisor, the mean over the facets of the node with
+/// the positive weights |N_j| stands in: it lies between the pressures of the samples. Every node of a facet with
+/// samples gets a value, also beyond the hem, because the rows of M reach there.
+Eigen::VectorXd first_pressure(const Sums& sums, const Eigen::VectorXd& diagonal) {
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(sums.force.size());
   for (Eigen::Index j = 0; j < pressure.size(); ++j) {
     if (sums.lumped[j] > 0 && sums.lumped[j] >= diagonal[j])
       pressure[j] = sums.force[j] / sums.lumped[j];
-    else if (sums.covered[j] > 0)
-      pressure[j] = hat_force[j] / sums.covered[j];
+    else if (sums.near_area[j] > 0)
+      pressure[j] = sums.near_force[j] / sums.near_area[j];
   }
   return pressure;
-}
-
-Eigen::VectorXd forces_on_hats(const Facets& facets, std::size_t nodes, const std::vector<ContactSample>& samples) {
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(nodes);
-  for (const ContactSample& sample : samples) {
-    if (sample.facet < 0 || sample.area <= 0) continue;
-    const auto hats = tensor(hat(sample.xi), hat(sample.eta));
-    for (int i = 0; i < 9; ++i) force[facets[sample.facet][i]] += sample.force * hats[i];
-  }
-  return force;
 }
 
 void sweep(const Sums& sums, const Eigen::VectorXd& diagonal, int sweeps, Eigen::VectorXd& pressure) {
@@ -142,7 +137,7 @@ SkinPressure transfer(const Facets& facets, std::size_t nodes, const Points& pos
                       const std::vector<ContactSample>& samples, int sweeps) {
   const Sums sums = sum_samples(facets, nodes, samples);
   const Eigen::VectorXd diagonal = sweep_diagonal(sums);
-  Eigen::VectorXd pressure = first_pressure(sums, diagonal, forces_on_hats(facets, nodes, samples));
+  Eigen::VectorXd pressure = first_pressure(sums, diagonal);
   sweep(sums, diagonal, sweeps, pressure);
 
   const std::vector<double> areas = nodal_areas(facets, nodes, positions);

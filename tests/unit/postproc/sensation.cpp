@@ -1,0 +1,130 @@
+#include "postproc/sensation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "postproc/evaluate.hpp"
+#include "postproc/pressure_table.hpp"
+#include "postproc/shipped_tables.hpp"
+#include "postproc/units.hpp"
+
+namespace snug::postproc {
+namespace {
+
+SensationCurves trial() {
+  input::ComfortSpec spec;
+  spec.curves.name = "wear trial 2002";
+  return load_curves(spec);
+}
+
+std::filesystem::path written(const std::string& name, const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / ("snug-sensation-" + name);
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(Units, ConversionsAreThoseOfTheStandards) {
+  // 1 gf/cm2 = 98.0665 Pa and 1 mmHg = 133.322387415 Pa, both ways.
+  EXPECT_DOUBLE_EQ(from_gf_cm2(1.0), 98.0665);
+  EXPECT_DOUBLE_EQ(from_mmHg(1.0), 133.322387415);
+  EXPECT_DOUBLE_EQ(to_gf_cm2(from_gf_cm2(17.3)), 17.3);
+  EXPECT_DOUBLE_EQ(to_mmHg(from_mmHg(17.3)), 17.3);
+}
+
+TEST(Sensation, ReproducesAll64RatingsOfTheEightSignificantLocations) {
+  // Table 5.5: each rating of the eight locations with a significant slope comes back within 0.005, its rounding.
+  const SensationCurves curves = trial();
+  const input::Csv table = shipped_csv(wear_trial_2002(), "table");
+  ASSERT_EQ(table.rows.size(), 72u);
+  int checked = 0;
+  for (const auto& row : table.rows) {
+    const SensationCurve* curve = curves.find(row.cells[1]);
+    ASSERT_NE(curve, nullptr) << row.cells[1];
+    const Rating rating = rate(*curve, from_gf_cm2(std::stod(row.cells[2])));
+    EXPECT_FALSE(rating.extrapolated);
+    if (!rating.significant) continue;
+    EXPECT_NEAR(rating.value, std::stod(row.cells[3]), 0.005) << row.cells[1] << ", garment " << row.cells[0];
+    ++checked;
+  }
+  EXPECT_EQ(checked, 64);
+}
+
+TEST(Sensation, OnlyTheBackThighHasNoSignificantSlope) {
+  // The t-test rejects the line of the back thigh and of no other location.
+  for (const SensationCurve& curve : trial().curves) {
+    EXPECT_EQ(curve.significant, curve.location != "Back thigh") << curve.location << " p = " << curve.p_value;
+    EXPECT_EQ(curve.points, 8);
+  }
+  EXPECT_GT(trial().find("Back thigh")->p_value, 0.2);
+  EXPECT_LT(trial().find("Chest")->p_value, 1e-6);
+}
+
+TEST(Sensation, LinesAndResidualsAreTheOnesOfTheLeastSquaresFit) {
+  // Slope, intercept and largest residual agree with an independent fit of the same table (data/README.md).
+  const SensationCurves curves = trial();
+  const SensationCurve& chest = *curves.find("chest");
+  EXPECT_NEAR(chest.slope * pascal_per_gf_cm2, 0.31971, 5e-6);
+  EXPECT_NEAR(chest.intercept, 0.0233, 5e-5);
+  EXPECT_NEAR(chest.largest_residual, 0.0038, 5e-5);
+  const SensationCurve& thigh = *curves.find("Back thigh");
+  EXPECT_NEAR(thigh.slope * pascal_per_gf_cm2, -0.01994, 5e-6);
+  EXPECT_NEAR(thigh.intercept, 1.1171, 5e-5);
+  EXPECT_NEAR(thigh.largest_residual, 0.1734, 5e-5);
+  EXPECT_NEAR(to_gf_cm2(thigh.low), 1.11, 1e-12);
+  EXPECT_NEAR(to_gf_cm2(thigh.high), 6.04, 1e-12);
+}
+
+TEST(Sensation, PressuresOutsideTheTrialAreFlaggedAndRatingsStayOnTheScale) {
+  // Far beyond the data the rating is clamped to 4 and marked; without a significant slope it is the trial's mean.
+  const SensationCurves curves = trial();
+  const Rating far = rate(*curves.find("Chest"), from_gf_cm2(40));
+  EXPECT_DOUBLE_EQ(far.value, 4.0);
+  EXPECT_EQ(far.term, "extremely uncomfortable");
+  EXPECT_TRUE(far.extrapolated);
+  const Rating flat = rate(*curves.find("Back thigh"), from_gf_cm2(40));
+  EXPECT_NEAR(flat.value, 1.05, 1e-12);
+  EXPECT_FALSE(flat.significant);
+  EXPECT_TRUE(flat.extrapolated);
+}
+
+TEST(Sensation, CurvesOfAFileMayComeInAnyUnit) {
+  // The same line given in Pa, gf/cm2 and mmHg gives the same rating.
+  const auto in_pascal = written("pa.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1000,1\ncalf,2000,2\n");
+  const auto in_head = written("head.csv", "location,pressure [kPa],sensation_rating\ncalf,0,0\ncalf,1,1\ncalf,2,2\n");
+  for (const auto& file : {in_pascal, in_head}) {
+    input::ComfortSpec spec;
+    spec.curves.name = file.filename().string();
+    const SensationCurves curves = load_curves(spec, file.parent_path());
+    EXPECT_NEAR(rate(*curves.find("Calf"), 1500).value, 1.5, 1e-12);
+  }
+}
+
+TEST(Sensation, WrongTablesAreErrorsWithFileAndRemedy) {
+  // A rating off the scale, too few points, a missing column and an unknown name are all input errors.
+  const auto load = [](const std::string& name) {
+    input::ComfortSpec spec;
+    spec.curves.name = name;
+    return load_curves(spec);
+  };
+  EXPECT_THROW(load(written("a.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,7\ncalf,2,1\n").string()),
+               input::InputError);
+  EXPECT_THROW(load(written("b.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,1\n").string()),
+               input::InputError);
+  EXPECT_THROW(load(written("c.csv", "location,sensation_rating\ncalf,0\n").string()), input::InputError);
+  EXPECT_THROW(load(written("d.csv", "location,pressure_Pa,sensation_rating\ncalf,nan,0\n").string()), input::InputError);
+  EXPECT_THROW(load("wear trial 1999"), input::InputError);
+}
+
+TEST(Score, ReadsPressuresInThreeUnitsAndRefusesALocationTwice) {
+  // 1 gf/cm2 read in any of the three columns is 98.0665 Pa; a doubled location is an error.
+  EXPECT_DOUBLE_EQ(read_pressures(written("e.csv", "location,pressure_gf_per_cm2\nChest,1\n"))[0].pressure, 98.0665);
+  EXPECT_DOUBLE_EQ(read_pressures(written("f.csv", "location,pressure_mmHg\nChest,1\n"))[0].pressure, 133.322387415);
+  EXPECT_DOUBLE_EQ(read_pressures(written("g.csv", "\"location\",pressure_Pa\n\"Chest\",1\n"))[0].pressure, 1.0);
+  EXPECT_THROW(read_pressures(written("h.csv", "location,pressure_Pa\nChest,1\nchest,2\n")), input::InputError);
+  EXPECT_THROW(read_pressures(written("i.csv", "location,pressure_Pa\nChest,-1\n")), input::InputError);
+}
+
+}  // namespace
+}  // namespace snug::postproc

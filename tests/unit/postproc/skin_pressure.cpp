@@ -1,0 +1,173 @@
+#include "postproc/skin_pressure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <random>
+
+namespace snug::postproc {
+namespace {
+
+struct Patch {
+  std::vector<Eigen::Vector3d> nodes;
+  std::vector<std::array<int, 9>> facets;
+};
+
+/// n x n facets over the unit square, bent into a shallow dome.
+Patch patch(int n, double height = 0.0) {
+  Patch result;
+  const int side = 2 * n + 1;
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+      const double x = double(i) / (side - 1), y = double(j) / (side - 1);
+      result.nodes.emplace_back(x, y, height * x * (1 - x) * y * (1 - y));
+    }
+  for (int b = 0; b < n; ++b)
+    for (int a = 0; a < n; ++a) {
+      std::array<int, 9> facet;
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) facet[3 * j + i] = (2 * b + j) * side + 2 * a + i;
+      result.facets.push_back(facet);
+    }
+  return result;
+}
+
+using Pressure = std::function<double(double, double)>;
+
+/// Samples of a flat patch on an irregular garment: points at random places of the cells of an m x m grid over the
+/// facet, pressure at each, for the part of the square with x < hem.
+std::vector<ContactSample> samples_of(int n, int m, const Pressure& pressure, double hem = 2.0, double jitter = 1.0) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-0.5 * jitter, 0.5 * jitter);
+  std::vector<ContactSample> samples;
+  for (int f = 0; f < n * n; ++f)
+    for (int c = 0; c < m * m; ++c) {
+      ContactSample sample;
+      sample.facet = f;
+      sample.xi = -1 + 2 * (c % m + 0.5 + place(random)) / m;
+      sample.eta = -1 + 2 * (c / m + 0.5 + place(random)) / m;
+      const double x = (f % n + (sample.xi + 1) / 2) / n, y = (f / n + (sample.eta + 1) / 2) / n;
+      if (x > hem) continue;
+      sample.area = 1.0 / (n * n * m * m);
+      sample.force = pressure(x, y) * sample.area;
+      sample.touching = sample.force > 0;
+      samples.push_back(sample);
+    }
+  return samples;
+}
+
+double total(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+double total_force(const std::vector<ContactSample>& samples) {
+  double sum = 0.0;
+  for (const auto& sample : samples) sum += sample.force;
+  return sum;
+}
+
+TEST(SkinPressure, BiquadraticFunctionsInterpolateTheNodesAndSumToOne) {
+  // Each function is one at its own node of the tensor order and zero at the others.
+  for (int n = 0; n < 9; ++n) {
+    const auto at_node = biquadratic(n % 3 - 1, n / 3 - 1);
+    for (int k = 0; k < 9; ++k) EXPECT_DOUBLE_EQ(at_node[k], k == n ? 1.0 : 0.0);
+  }
+  const auto inside = biquadratic(0.37, -0.81);
+  EXPECT_NEAR(std::accumulate(inside.begin(), inside.end(), 0.0), 1.0, 1e-15);
+}
+
+TEST(SkinPressure, NodalAreasSumToTheAreaOfTheDeformedSurface) {
+  // A sheared and stretched flat patch has the area 2 * 3; corner, edge and centre shares are 1/16, 1/8 and 1/4 of a facet.
+  Patch one = patch(1);
+  for (auto& x : one.nodes) x = {2 * x.x() + 0.7 * x.y(), 3 * x.y(), 0};
+  const auto areas = nodal_areas(one.facets, one.nodes.size(), one.nodes);
+  EXPECT_NEAR(total(areas), 6.0, 1e-12);
+  EXPECT_NEAR(areas[0], 6.0 / 16, 1e-12);
+  EXPECT_NEAR(areas[1], 6.0 / 8, 1e-12);
+  EXPECT_NEAR(areas[4], 6.0 / 4, 1e-12);
+}
+
+TEST(SkinPressure, UniformPressureIsExactOnIrregularSamplesAndPartialCover) {
+  // Whatever the samples and wherever the hem runs, 2000 Pa come back as 2000 Pa at every covered node.
+  const Patch skin = patch(6);
+  for (double hem : {2.0, 0.55, 0.34, 0.501})
+    for (int sweeps : {0, 1, 2, 5}) {
+      const auto samples = samples_of(6, 4, [](double, double) { return 2000.0; }, hem);
+      const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, sweeps);
+      for (std::size_t n = 0; n < skin.nodes.size(); ++n) {
+        if (result.coverage[n] >= 0.05) EXPECT_NEAR(result.pressure[n], 2000.0, 1e-6);
+        else EXPECT_EQ(result.pressure[n], 0.0);
+      }
+    }
+}
+
+TEST(SkinPressure, NodalForcesAndCoveredAreasConserveTheSamples) {
+  // The sum of the nodal forces is the sum of the point forces, also where the hem cuts facets; so is the area.
+  const Patch skin = patch(5, 0.2);
+  const auto samples = samples_of(5, 4, [](double x, double y) { return 900 + 800 * std::sin(5 * x) * y; }, 0.47);
+  const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples);
+  EXPECT_NEAR(total(result.force), total_force(samples), 1e-12 * total_force(samples));
+  double area = 0.0;
+  for (const auto& sample : samples) area += sample.area;
+  EXPECT_NEAR(total(result.area), area, 1e-12);
+  EXPECT_LT(std::abs(result.lost_force), 0.02 * total_force(samples));
+}
+
+TEST(SkinPressure, FullCoverLosesNoForceInTheSweeps) {
+  // Inside full cover the returned pressure carries the whole force, with and without sweeps.
+  const Patch skin = patch(6);
+  const auto samples = samples_of(6, 4, [](double x, double y) { return 1000 + 300 * x + 200 * y; }, 2.0, 0.5);
+  for (int sweeps : {0, 2}) {
+    const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, sweeps);
+    EXPECT_LT(std::abs(result.lost_force), 1e-3 * total_force(samples)) << sweeps;
+  }
+}
+
+double rms_error(int n, int sweeps, double jitter) {
+  const Pressure smooth = [](double x, double y) { return 2000 + 600 * std::sin(4 * x) * std::cos(3 * y); };
+  const Patch skin = patch(n);
+  const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples_of(n, 4, smooth, 2.0, jitter), sweeps);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < skin.nodes.size(); ++k)
+    squares += std::pow(result.pressure[k] / smooth(skin.nodes[k].x(), skin.nodes[k].y()) - 1, 2);
+  return std::sqrt(squares / skin.nodes.size());
+}
+
+TEST(SkinPressure, SweepsTowardsTheConsistentMassImproveASmoothField) {
+  // Two sweeps halve the error of a smooth pressure, on regular and on irregular samples, and thirty reach the
+  // consistent solution; the error falls with the square of the facet size.
+  for (double jitter : {0.0, 0.7}) {
+    EXPECT_LT(rms_error(6, 1, jitter), 0.7 * rms_error(6, 0, jitter));
+    EXPECT_LT(rms_error(6, 2, jitter), 0.55 * rms_error(6, 0, jitter));
+    EXPECT_LT(rms_error(6, 30, jitter), 0.05 * rms_error(6, 0, jitter));
+    EXPECT_LT(rms_error(12, 2, jitter), 0.4 * rms_error(6, 2, jitter));
+  }
+}
+
+TEST(SkinPressure, SweepsStayBoundedOnAHemThatCutsFacets) {
+  // However the hem cuts, no nodal pressure leaves the neighbourhood of the applied 1000 to 1500 Pa, even after many sweeps.
+  const Patch skin = patch(6);
+  for (double hem = 0.3; hem < 0.7; hem += 0.0137) {
+    const auto samples = samples_of(6, 4, [](double x, double) { return 1000 + 500 * x; }, hem);
+    const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, 20);
+    for (std::size_t n = 0; n < skin.nodes.size(); ++n) {
+      if (result.coverage[n] < 0.05) continue;
+      EXPECT_GT(result.pressure[n], 800) << hem;
+      EXPECT_LT(result.pressure[n], 1700) << hem;
+    }
+  }
+}
+
+TEST(SkinPressure, ForceWithoutAFacetIsReportedAsLost) {
+  // A sample that faces no skin gives nothing to the nodes, and its force is named.
+  const Patch skin = patch(2);
+  ContactSample stray;
+  stray.force = 0.25;
+  const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, {stray});
+  EXPECT_DOUBLE_EQ(result.lost_force, 0.25);
+  EXPECT_DOUBLE_EQ(total(result.pressure), 0.0);
+  EXPECT_DOUBLE_EQ(total(result.coverage), 0.0);
+}
+
+}  // namespace
+}  // namespace snug::postproc
