@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +38,8 @@ struct LayerSpec {
 /// A named patch of skin: sector of angle round the axis and range of height. Angle 0 = side (+x), 90 deg = front (+y).
 struct LocationSpec {
   std::string name;                   ///< key of the sensation curve, e.g. "Front thigh"
-  double from_angle = 0.0, to_angle = 0.0;              ///< rad
+  double from_angle = std::numeric_limits<double>::quiet_NaN();  ///< rad; NaN until it is given
+  double to_angle = std::numeric_limits<double>::quiet_NaN();    ///< rad
   std::optional<double> from_height, to_height;         ///< m
   Location where = {};
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -74,7 +75,7 @@ void check_names(const BodySpec& body, Diagnostics& diagnostics) {
 void check_locations(const BodySpec& body, Diagnostics& diagnostics) {
   for (const LocationSpec& location : body.locations) {
     const double sector = location.to_angle - location.from_angle;
-    if (!(sector > 0.0 && sector <= 2.0 * std::numbers::pi + 1e-12))
+    if (!std::isnan(sector) && !(sector > 0.0 && sector <= 2.0 * std::numbers::pi + 1e-12))
       diagnostics.error(location.where,
                         fmt::format("the sector of \"{}\" is {:.4g} deg wide", location.name, sector * 180.0 / std::numbers::pi),
                         "let to_angle lie above from_angle by at most 360 deg, e.g. from \"-45 deg\" to \"45 deg\"");
@@ -114,7 +115,7 @@ void check_held(const GarmentSpec& garment, Diagnostics& diagnostics) {
       diagnostics.error(held.where, fmt::format("the {} edge is held twice", held.edge), "name each edge once");
 }
 
-void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) {
+void check_presence(const Table& root, Diagnostics& diagnostics) {
   const auto error = [&](const std::string& key, const std::string& found, const std::string& remedy) {
     diagnostics.error(root.where_is(key), found, remedy);
   };
@@ -166,7 +167,7 @@ void complete(Case& description, const Table& root) {
 }
 
 void check_case(const Case& description, const Table& root, Diagnostics& diagnostics) {
-  check_presence(description, root, diagnostics);
+  check_presence(root, diagnostics);
   if (description.body)
     if (const Table* body = root.table("body")) check_body(*description.body, *body, diagnostics);
   if (description.garment) check_held(*description.garment, diagnostics);

@@ -1,5 +1,7 @@
 #include "cases/input/diagnostics.hpp"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace snug::input {
@@ -19,7 +21,12 @@ void Diagnostics::error(Location where, std::string found, std::string remedy) {
 }
 
 void Diagnostics::throw_if_any() const {
-  if (any()) throw InputError(errors_);
+  if (!any()) return;
+  std::vector<Diagnostic> in_order = errors_;
+  std::stable_sort(in_order.begin(), in_order.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.where.file, a.where.line, a.where.column) < std::tie(b.where.file, b.where.line, b.where.column);
+  });
+  throw InputError(std::move(in_order));
 }
 
 namespace {

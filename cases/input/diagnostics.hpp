@@ -30,7 +30,7 @@ class Diagnostics {
   void error(Location where, std::string found, std::string remedy);
   bool any() const { return !errors_.empty(); }
   const std::vector<Diagnostic>& errors() const { return errors_; }
-  /// Throws InputError with every error collected so far, when there is one.
+  /// Throws InputError with every error collected so far, in the order of their places, when there is one.
   void throw_if_any() const;
 
  private:

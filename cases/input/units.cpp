@@ -31,6 +31,7 @@ std::string plain(std::string unit) {
       {{"·", " "}, {"×", " "}, {"*", " "}, {"−", "-"}, {"²", "2"}, {"³", "3"}, {"°", "degree"}, {"µ", "u"}}};
   for (const auto& [from, to] : spellings)
     for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, std::string(from).size(), to);
+  unit = std::regex_replace(unit, std::regex(R"(\bdeg\b)"), "degree");
   unit = std::regex_replace(unit, std::regex(R"(\s*/\s*)"), "/");
   return std::regex_replace(unit, std::regex(R"(\s+)"), " ");
 }

@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "cases/input/case.hpp"
+#include "cases/input/echo.hpp"
+#include "cases/input/reader.hpp"
+#include "cases/input/reference.hpp"
+
+namespace snug::input {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string body_section =
+    "[body]\n"                                                             // 2
+    "stations = \"limb.csv\"\n"                                            // 3
+    "layers = [\n"                                                         // 4
+    "  { name = \"bone\", material = \"rigid\" },\n"                       // 5
+    "  { name = \"tissue\", material = \"relaxed thigh\", cells = 3 },\n"  // 6
+    "  { name = \"skin\", material = \"skin\", thickness = \"1.5 mm\" },\n"  // 7
+    "]\n";                                                                 // 8
+const std::string garment_section =
+    "[garment]\n"                                                                           // 9
+    "pattern = { kind = \"tube\", flat_circumference = \"42 cm\", length = \"160 mm\" }\n"  // 10
+    "fabric = { law = \"linear\", warp = \"1000 N/m\" }\n"                                  // 11
+    "position = \"0 mm\"\n"                                                                 // 12
+    "[contact]\n";                                                                          // 13
+
+/// A case directory of its own that goes away with the test.
+class CaseDirectory : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = fs::temp_directory_path() / ("snug-input-" + std::to_string(::getpid()) + "-" +
+                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(directory_ / "case");
+    write("limb.csv", "height [mm], girth [mm], bone_girth [mm]\n0, 500, 90\n");
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+  void write(const std::string& name, const std::string& text) { std::ofstream(directory_ / "case" / name) << text; }
+
+  Case read_text(const std::string& text, const ReadOptions& options = {}) {
+    write("case.toml", text);
+    return read_case(directory_ / "case", options);
+  }
+  /// The errors, each from "LINE:COLUMN: error" on.
+  std::vector<std::string> errors_of(const std::string& text, const ReadOptions& options = {}) {
+    const std::string file = (directory_ / "case" / "case.toml").string() + ":";
+    std::vector<std::string> errors;
+    try {
+      read_text(text, options);
+    } catch (const InputError& error) {
+      for (const Diagnostic& one : error.errors()) {
+        const std::string line = to_string(one);
+        errors.push_back(line.rfind(file, 0) == 0 ? line.substr(file.size()) : line);
+      }
+    }
+    return errors;
+  }
+  static bool has(const std::vector<std::string>& errors, const std::string& start, const std::string& part) {
+    for (const std::string& error : errors)
+      if (error.rfind(start, 0) == 0 && error.find(part) != std::string::npos) return true;
+    return false;
+  }
+
+  const std::string good_ = "title = \"t\"\n" + body_section + garment_section;
+  fs::path directory_;
+};
+
+std::string all(const std::vector<std::string>& errors) {
+  std::string text;
+  for (const std::string& error : errors) text += error + "\n";
+  return text;
+}
+
+TEST_F(CaseDirectory, WholeCaseArrivesInSi) {
+  // A case is read into plain structs in SI, with paths resolved and the form of each layer decided.
+  const Case c = read_text(good_);
+  EXPECT_EQ(c.title, "t");
+  EXPECT_DOUBLE_EQ(c.garment->pattern.flat_circumference, 0.42);
+  EXPECT_TRUE(fs::exists(c.body->stations));
+  EXPECT_EQ(c.body->layers[0].form, "rigid");
+  EXPECT_EQ(c.body->layers[1].form, "solid");
+  EXPECT_EQ(c.body->layers[1].cells, 3);
+  EXPECT_EQ(c.body->layers[2].form, "membrane");
+  EXPECT_EQ(c.garment->fabric.where.line, 11);
+  EXPECT_EQ(c.garment->fabric.where.column, 10);
+  EXPECT_TRUE(c.contact);
+  EXPECT_FALSE(c.comfort);
+  EXPECT_FALSE(c.load);
+}
+
+TEST_F(CaseDirectory, ErrorsOfAllSectionsComeTogether) {
+  // Every error of a case is reported at once, each at its place.
+  const auto errors = errors_of(
+      "title = \"t\"\n" + body_section +
+      "[garment]\npatern = 1\npattern = { kind = \"tube\", flat_circumference = 420, length = \"3 kPa\" }\n"
+      "fabric = \"N85L15\"\nwarp = \"allong\"\nposition = \"0 mm\"\n[contact]\nfriction = 0.3\n[solver]\ntier = \"L5\"\n");
+  EXPECT_EQ(errors.size(), 6u) << all(errors);
+  EXPECT_TRUE(has(errors, "10:1: error: unknown key patern", "did you mean pattern?")) << all(errors);
+  EXPECT_TRUE(has(errors, "11:49: error: flat_circumference is the bare number 420", "\"420 m\"")) << all(errors);
+  EXPECT_TRUE(has(errors, "11:63: error: length", "give a length")) << all(errors);
+  EXPECT_TRUE(has(errors, "13:8: error: \"allong\" is no warp", "did you mean along?")) << all(errors);
+  EXPECT_TRUE(has(errors, "16:1: error: ", "friction is not available yet; leave it out")) << all(errors);
+  EXPECT_TRUE(has(errors, "18:8: error: \"L5\" is no tier", "known: L0, L1, L4")) << all(errors);
+}
+
+TEST_F(CaseDirectory, MissingKeysAreNamedWithTheirMeaning) {
+  // A required key that is missing is an error at its section with meaning and example.
+  const auto errors = errors_of("title = \"t\"\n" + body_section + "[load]\n");
+  ASSERT_EQ(errors.size(), 1u) << all(errors);
+  EXPECT_TRUE(has(errors, "9:", "the key skin_pressure is missing; add skin_pressure: pressure on the whole skin")) << all(errors);
+}
+
+TEST_F(CaseDirectory, PartsThatDoNotFitAreRefused) {
+  // A scene whose parts do not fit together is refused before anything is meshed.
+  const std::string title = "title = \"t\"\n";
+  EXPECT_TRUE(has(errors_of(title + garment_section), "2:", "there is a [garment] but no [body]"));
+  EXPECT_TRUE(has(errors_of(title + body_section), "2:", "nothing acts on the body"));
+  EXPECT_TRUE(has(errors_of(title + body_section + "[contact]\n[load]\nskin_pressure = \"1 kPa\""), "9:", "no [garment]"));
+  EXPECT_TRUE(has(errors_of(title), "", "neither a body nor a garment"));
+  EXPECT_TRUE(has(errors_of(good_ + "[comfort]\ncurves = \"wear trial 2002\"\n"), "14:", "no locations"));
+}
+
+TEST_F(CaseDirectory, LayersMustBeInOrder) {
+  // Bone first, skin last, exactly one solid layer that takes the rest.
+  const auto layers = [&](const std::string& list) {
+    return errors_of("title = \"t\"\n[body]\nstations = \"limb.csv\"\nlayers = [" + list + "]\n[load]\nskin_pressure = \"1 kPa\"\n");
+  };
+  const std::string bone = "{ name = \"bone\", material = \"rigid\" }", fat = "{ name = \"fat\", material = \"fat\" }";
+  const std::string skin = "{ name = \"skin\", material = \"skin\", thickness = \"1 mm\" }";
+  EXPECT_TRUE(layers(bone + "," + fat + "," + skin).empty());
+  EXPECT_TRUE(layers(bone + "," + fat).empty());
+  EXPECT_TRUE(has(layers(fat + "," + bone), "4:", "not the innermost"));
+  EXPECT_TRUE(has(layers(bone + "," + skin), "2:", "no solid layer"));
+  EXPECT_TRUE(has(layers(bone + "," + fat + "," + fat), "4:", "a second layer is called"));
+  EXPECT_TRUE(has(layers(""), "4:", "no layers"));
+}
+
+TEST_F(CaseDirectory, PathsStayInTheDirectory) {
+  // Absolute paths and ../ are refused unless allowed; a missing file is located with the nearest name.
+  std::string text = good_;
+  const auto with = [&](const std::string& path) { return std::string(text).replace(text.find("limb.csv"), 8, path); };
+  std::ofstream(directory_ / "other.csv") << "x\n";
+  EXPECT_TRUE(has(errors_of(with("../other.csv")), "3:12: error: ", "outside the case directory"));
+  EXPECT_TRUE(has(errors_of(with((directory_ / "other.csv").string())), "3:12: error: ", "outside the case directory"));
+  EXPECT_TRUE(errors_of(with("../other.csv"), {.overrides = {}, .allow_outside = true}).empty());
+  EXPECT_TRUE(has(errors_of(with("lmib.csv")), "3:12: error: there is no file", "did you mean \"limb.csv\"?"));
+}
+
+TEST_F(CaseDirectory, OverridesPassTheSameReader) {
+  // --set replaces a value before reading and is checked like one of the file.
+  const Case c = read_text(good_, {.overrides = {"garment.fabric=N85L15", "garment.pattern.length=20 cm",
+                                                 "body.layers.tissue.cells=5", "body.layers.2.thickness=2 mm", "solver.tier=\"L1\""}});
+  EXPECT_EQ(c.garment->fabric.name, "N85L15");
+  EXPECT_DOUBLE_EQ(c.garment->pattern.length, 0.2);
+  EXPECT_EQ(c.body->layers[1].cells, 5);
+  EXPECT_DOUBLE_EQ(*c.body->layers[2].thickness, 2e-3);
+  EXPECT_EQ(c.solver.tier, "L1");
+  const auto errors = errors_of(good_, {.overrides = {"garment.position=3", "garment.fabrik=x", "body.layers.fat.cells=1", "nonsense"}});
+  EXPECT_EQ(errors.size(), 4u) << all(errors);
+  EXPECT_TRUE(has(errors, "--set garment.position=3: error: position is the bare number 3", "3 m")) << all(errors);
+  EXPECT_TRUE(has(errors, "--set garment.fabrik=x: error: unknown key fabrik", "fabric")) << all(errors);
+  EXPECT_TRUE(has(errors, "--set body.layers.fat.cells=1: error: the list has no entry fat", "bone, tissue, skin")) << all(errors);
+  EXPECT_TRUE(has(errors, "--set nonsense: error: ", "--set")) << all(errors);
+}
+
+TEST_F(CaseDirectory, EchoReadsBackToTheSameCase) {
+  // The echo holds every value in SI with its defaults, and reading it gives the same case again.
+  const Case first = read_text(good_);
+  const std::string echo = echo_text(first);
+  EXPECT_NE(echo.find("flat_circumference = \"0.42 m\""), std::string::npos) << echo;
+  EXPECT_NE(echo.find("ends = \"sliding\""), std::string::npos) << echo;
+  EXPECT_NE(echo.find("stations = \"limb.csv\""), std::string::npos) << echo;
+  const Case second = read_text(echo);
+  EXPECT_EQ(echo_text(second), echo);
+}
+
+TEST_F(CaseDirectory, MissingDirectoryAndFileAreNamed) {
+  // No directory, or one without case.toml, is an error with a remedy.
+  EXPECT_THROW(read_case(directory_ / "nowhere"), InputError);
+  EXPECT_THROW(read_case(directory_), InputError);
+  EXPECT_THROW(read_case(directory_ / "case" / "limb.csv"), InputError);
+}
+
+TEST(ShippedCases, AreReadWithoutError) {
+  // Every case directory that is shipped is a correct input.
+  int count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(SNUG_SOURCE_DIR) / "cases")) {
+    if (entry.path().filename() != "case.toml") continue;
+    EXPECT_NO_THROW(read_case(entry.path().parent_path())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 3);
+}
+
+TEST(ShippedCases, AnglesArriveInRadian) {
+  // The front of the thigh is the sector from 45 to 135 degrees.
+  const Case c = read_case(fs::path(SNUG_SOURCE_DIR) / "cases/thigh-sleeve");
+  ASSERT_FALSE(c.body->locations.empty());
+  EXPECT_EQ(c.body->locations[0].name, "Front thigh");
+  EXPECT_NEAR(c.body->locations[0].from_angle, std::numbers::pi / 4, 1e-12);
+}
+
+TEST(Reference, KnowsEveryKeyOnce) {
+  // The generated reference lists every key with a meaning, nested ones with their sections.
+  std::set<std::string> keys;
+  for (const ReferenceRow& row : case_reference()) {
+    EXPECT_TRUE(keys.insert(row.key).second) << row.key;
+    EXPECT_FALSE(row.field.meaning.empty()) << row.key;
+  }
+  for (const std::string key : {"title", "body.layers[].thickness", "garment.pattern.length", "body.scan.lower.point", "solver.tier"})
+    EXPECT_TRUE(keys.count(key)) << key;
+}
+
+}  // namespace
+}  // namespace snug::input

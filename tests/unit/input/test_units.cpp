@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "cases/input/csv.hpp"
+#include "cases/input/suggestion.hpp"
+#include "cases/input/units.hpp"
+
+namespace snug::input {
+namespace {
+
+double si(const std::string& text, const std::string& unit) {
+  const Quantity quantity = to_si(text, unit);
+  EXPECT_TRUE(quantity.ok()) << quantity.found;
+  return quantity.value;
+}
+
+TEST(Units, OfTextilesAndClinicsAreKnown) {
+  // Units that fabric sheets, KES reports and compression standards use convert to SI by their definitions.
+  const double gf = 9.80665e-3, degree = std::numbers::pi / 180;
+  EXPECT_DOUBLE_EQ(si("0.57 mm", "m"), 0.57e-3);
+  EXPECT_NEAR(si("20 gf/cm2", "Pa"), 20 * gf / 1e-4, 1e-9);
+  EXPECT_NEAR(si("20 gf/cm^2", "Pa"), 20 * gf / 1e-4, 1e-9);
+  EXPECT_NEAR(si("0.77 gf/(cm degree)", "N/(m rad)"), 0.77 * gf / 1e-2 / degree, 1e-9);
+  EXPECT_NEAR(si("0.77 gf/(cm·degree)", "N/(m rad)"), 0.77 * gf / 1e-2 / degree, 1e-9);
+  EXPECT_NEAR(si("8.5 gf·cm/cm²", "J/m2"), 8.5 * gf * 1e-2 / 1e-4, 1e-9);
+  EXPECT_NEAR(si("0.05 gf cm2/cm", "N m"), 0.05 * gf * 1e-2, 1e-12);
+  EXPECT_NEAR(si("500 gf/cm", "N/m"), 500 * gf / 1e-2, 1e-9);
+  EXPECT_NEAR(si("15 mmHg", "Pa"), 15 * 133.322, 0.02);
+  EXPECT_DOUBLE_EQ(si("10 kPa", "Pa"), 1e4);
+  EXPECT_NEAR(si("35 deg", "rad"), 35 * degree, 1e-12);
+  EXPECT_NEAR(si("35°", "rad"), 35 * degree, 1e-12);
+  EXPECT_NEAR(si("180 g/m2", "kg/m2"), 0.18, 1e-12);
+  EXPECT_DOUBLE_EQ(si("1e3 N / m", "N/m"), 1000);
+  EXPECT_DOUBLE_EQ(si("-5mm", "m"), -5e-3);
+}
+
+TEST(Units, WrongTextsAreRefusedWithTheReason) {
+  // A text that is no quantity of the dimension says why.
+  EXPECT_NE(to_si("5", "m").found.find("has no unit"), std::string::npos);
+  EXPECT_NE(to_si("mm", "m").found.find("does not begin with a number"), std::string::npos);
+  EXPECT_NE(to_si("0,57 mm", "m").found.find("is not a unit"), std::string::npos);
+  EXPECT_NE(to_si("5 furlongz", "m").found.find("is not a unit"), std::string::npos);
+  EXPECT_NE(to_si("5 kPa", "m").found.find("is not a length"), std::string::npos);
+  EXPECT_FALSE(to_si("", "m").ok());
+}
+
+TEST(Suggestion, NearestNameIsFound) {
+  // A misspelt name finds the one that was meant, and a foreign one finds none.
+  EXPECT_EQ(nearest("ficton", {"friction", "basis"}), "friction");
+  EXPECT_EQ(nearest("N85l15", {"N85L15", "R95C"}), "N85L15");
+  EXPECT_EQ(nearest("zzz", {"friction", "basis"}), "");
+  EXPECT_EQ(edit_distance("gril", "girl"), 1);
+}
+
+class CsvFile : public testing::Test {
+ protected:
+  Csv read(const std::string& text) {
+    const auto path = std::filesystem::temp_directory_path() / ("snug-csv-" + std::to_string(::getpid()) + ".csv");
+    std::ofstream(path) << text;
+    Csv csv = read_csv(path, diagnostics_, "limb.csv");
+    std::filesystem::remove(path);
+    return csv;
+  }
+  Diagnostics diagnostics_;
+};
+
+TEST_F(CsvFile, ColumnsArriveInSi) {
+  // Units stand in the head; comments and empty lines do not count.
+  const Csv csv = read("# a limb\n\nheight [cm], girth [mm], ratio, name\n1, 500, 0.9, \"a, b\"\n2, 510, 1, c\n");
+  EXPECT_EQ(numbers(csv, "height", "m", diagnostics_), (std::vector<double>{0.01, 0.02}));
+  EXPECT_EQ(numbers(csv, "ratio", "", diagnostics_), (std::vector<double>{0.9, 1.0}));
+  EXPECT_EQ(texts(csv, "name", diagnostics_), (std::vector<std::string>{"a, b", "c"}));
+  EXPECT_FALSE(optional_numbers(csv, "depth", "m", diagnostics_));
+  EXPECT_FALSE(diagnostics_.any());
+}
+
+TEST_F(CsvFile, ErrorsAreAtTheirCells) {
+  // Missing columns, units, numbers and cells are errors at line and column of the file.
+  const Csv csv = read("height, girth [kPa]\n1, nan\n2\n3, x\n");
+  numbers(csv, "height", "m", diagnostics_);
+  numbers(csv, "girth", "m", diagnostics_);
+  numbers(csv, "girth", "Pa", diagnostics_);
+  numbers(csv, "depth", "m", diagnostics_);
+  std::vector<std::string> places;
+  for (const Diagnostic& error : diagnostics_.errors())
+    places.push_back(std::to_string(error.where.line) + ":" + std::to_string(error.where.column));
+  EXPECT_EQ(places, (std::vector<std::string>{"3:1", "1:1", "1:9", "2:4", "4:4", "1:1"}));
+}
+
+}  // namespace
+}  // namespace snug::input
