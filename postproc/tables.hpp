@@ -10,26 +10,32 @@
 
 namespace snug::postproc {
 
+/// What a listing ends with.
+enum class Extrema { none, range, range_and_absolute };
+
 /// A nodal listing: one row a node, values by column.
 struct Listing {
-  std::string command;                      ///< first line, "PRINT U    NODAL SOLUTION PER NODE"
-  std::string kind;                         ///< "POST1 NODAL STRESS LISTING"
-  std::string frame;                        ///< which system the values are in
+  std::vector<std::string> heading;         ///< lines above the labels
   std::vector<std::string> labels;
   std::vector<std::vector<double>> rows;    ///< rows[n] belongs to node n + 1
-  bool absolute = false;                    ///< also print maximum absolute values (displacements)
+  Extrema extrema = Extrema::range;
 };
 
 Listing displacement_listing(const BodyResult& body);  ///< UX UY UZ USUM, m
 Listing stress_listing(const BodyResult& body);        ///< S1 S2 S3 SINT SEQV, Pa; nodal averages
 Listing node_listing(const BodyResult& body);          ///< X Y Z, m, reference positions
 
-/// Fortran G13.5 as Ansys prints it: 0.1 <= |v| < 1e5 fixed with four trailing blanks, otherwise 0.12345E-03.
+/// Fortran G13.5 as Ansys prints it: 0.1 <= |v| < 1e5 fixed with four trailing blanks, otherwise 0.12345E-03. Thirteen
+/// characters with at least one blank in front, so that columns never run into each other. Below 1e-99 it is zero.
 std::string ansys_number(double value);
+
 /// Rows of node number (7 wide) and values (13 wide), then minima and maxima with their nodes.
 void write_listing(std::ostream& out, const Listing& listing);
 
 void write_locations(std::ostream& out, const Evaluation& evaluation);    ///< locations.csv: Pa, gf/cm2, mmHg
 void write_history(std::ostream& out, const RunResult& run);              ///< history.csv: one row a Newton iteration
+
+/// `text` in quotes where a comma, quote or line end in it asks for them.
+std::string csv_cell(const std::string& text);
 
 }  // namespace snug::postproc

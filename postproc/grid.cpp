@@ -1,0 +1,208 @@
+#include "postproc/grid.hpp"
+
+#include <fmt/format.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkTriQuadraticHexahedron.h>
+#include <vtkBiQuadraticQuad.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+
+#include "postproc/stress.hpp"
+
+namespace snug::postproc {
+namespace {
+
+using Names = std::initializer_list<const char*>;
+
+/// A field with one tuple an entry; `value(n, c)` is component c of entry n.
+template <class Value>
+void add_field(vtkFieldData& data, const char* name, std::size_t entries, Names components, Value value) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  const int count = std::max<int>(1, static_cast<int>(components.size()));
+  array->SetNumberOfComponents(count);
+  int c = 0;
+  for (const char* component : components) array->SetComponentName(c++, component);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(entries));
+  for (std::size_t n = 0; n < entries; ++n)
+    for (int k = 0; k < count; ++k) array->SetComponent(static_cast<vtkIdType>(n), k, value(n, k));
+  data.AddArray(array);
+}
+
+/// A scalar field; left out when the result does not have it.
+void add_scalars(vtkFieldData& data, const char* name, const std::vector<double>& values) {
+  if (!values.empty()) add_field(data, name, values.size(), {}, [&](std::size_t n, int) { return values[n]; });
+}
+
+void add_integers(vtkFieldData& data, const char* name, const std::vector<int>& values) {
+  if (values.empty()) return;
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  for (int value : values) array->InsertNextValue(value);
+  data.AddArray(array);
+}
+
+/// The names that the integers of a field stand for.
+void add_names(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : names) array->InsertNextValue(text);
+  grid.GetFieldData()->AddArray(array);
+}
+
+void set_points(vtkUnstructuredGrid& grid, const std::vector<Eigen::Vector3d>& positions) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Eigen::Vector3d& x : positions) points->InsertNextPoint(x.data());
+  grid.SetPoints(points);
+}
+
+/// Where VTK's node n stands in our tensor order, read from the parametric coordinates of VTK's own cell.
+template <class Cell, std::size_t count>
+std::array<int, count> tensor_order() {
+  vtkNew<Cell> cell;
+  const double* at = cell->GetParametricCoords();
+  std::array<int, count> order;
+  for (std::size_t n = 0; n < count; ++n) {
+    const auto place = [&](int axis) { return static_cast<int>(std::lround(2 * at[3 * n + axis])); };
+    order[n] = 9 * place(2) + 3 * place(1) + place(0);
+  }
+  return order;
+}
+
+template <std::size_t count>
+void add_cells(vtkUnstructuredGrid& grid, int type, const std::vector<std::array<int, count>>& cells,
+               const std::array<int, count>& order) {
+  std::array<vtkIdType, count> ids;
+  for (const auto& cell : cells) {
+    for (std::size_t n = 0; n < count; ++n) ids[n] = cell[order[n]];
+    grid.InsertNextCell(type, count, ids.data());
+  }
+}
+
+void add_body_cells(vtkUnstructuredGrid& grid, const BodyResult& body) {
+  if (body.cells.empty()) {  // a rigid body is its skin
+    grid.Allocate(static_cast<vtkIdType>(body.skin_facets.size()));
+    add_cells(grid, VTK_BIQUADRATIC_QUAD, body.skin_facets, tensor_order<vtkBiQuadraticQuad, 9>());
+    return;
+  }
+  grid.Allocate(static_cast<vtkIdType>(body.cells.size()));
+  add_cells(grid, VTK_TRIQUADRATIC_HEXAHEDRON, body.cells, tensor_order<vtkTriQuadraticHexahedron, 27>());
+  add_integers(*grid.GetCellData(), "layer", body.cell_layer);
+  add_names(grid, "layer_names", body.layers);
+}
+
+void add_stress(vtkFieldData& data, const std::vector<Stress>& stress) {
+  if (stress.empty()) return;
+  add_field(data, "cauchy_stress", stress.size(), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
+            [&](std::size_t n, int c) { return stress[n][c]; });
+  add_field(data, "von_mises", stress.size(), {}, [&](std::size_t n, int) { return von_mises(stress[n]); });
+  std::vector<Eigen::Vector3d> principal;
+  for (const Stress& s : stress) principal.push_back(principal_stresses(s));
+  add_field(data, "principal_stress", stress.size(), {"S1", "S2", "S3"},
+            [&](std::size_t n, int c) { return principal[n][c]; });
+}
+
+/// Rating of the node's location where the node is covered; NaN elsewhere. One value a location, because the curves were
+/// fitted to pressures of whole locations.
+void add_sensation_field(vtkFieldData& data, const BodyResult& body, const Evaluation& evaluation) {
+  if (!evaluation.comfort) return;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  add_field(data, "sensation", body.nodes.size(), {}, [&](std::size_t n, int) {
+    const int location = n < body.node_location.size() ? body.node_location[n] : -1;
+    const bool covered = n < body.coverage.size() && body.coverage[n] > 0;
+    return location < 0 || !covered ? none : evaluation.locations.at(location).rating.value_or(none);
+  });
+}
+
+/// Every field needs a value a point or cell; ParaView crashes on a shorter one.
+void check_sizes(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
+  const auto check = [&](vtkFieldData& data, vtkIdType entries) {
+    for (int i = 0; i < data.GetNumberOfArrays(); ++i)
+      if (data.GetAbstractArray(i)->GetNumberOfTuples() != entries)
+        throw std::runtime_error(fmt::format("{}: field {} has {} values for {} entries", vtu.string(),
+                                             data.GetArrayName(i), data.GetAbstractArray(i)->GetNumberOfTuples(), entries));
+  };
+  check(*grid.GetPointData(), grid.GetNumberOfPoints());
+  check(*grid.GetCellData(), grid.GetNumberOfCells());
+}
+
+void write(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
+  check_sizes(grid, vtu);
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(vtu.c_str());
+  writer->SetInputData(&grid);
+  writer->SetDataModeToAppended();
+  writer->SetCompressorTypeToZLib();
+  if (writer->Write() != 1) throw std::runtime_error("cannot write " + vtu.string());
+}
+
+}  // namespace
+
+void write_body(const BodyResult& body, const Evaluation& evaluation, const std::filesystem::path& vtu) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  set_points(*grid, body.nodes);
+  add_body_cells(*grid, body);
+  vtkPointData& points = *grid->GetPointData();
+  if (!body.displacement.empty())
+    add_field(points, "displacement", body.displacement.size(), {"X", "Y", "Z"},
+              [&](std::size_t n, int c) { return body.displacement[n][c]; });
+  add_scalars(points, "contact_pressure", body.contact_pressure);
+  add_scalars(points, "coverage", body.coverage);
+  add_scalars(points, "laplace_pressure", body.laplace_pressure);
+  add_stress(points, body.cauchy_stress);
+  add_integers(points, "location", body.node_location);
+  add_names(*grid, "location_names", body.locations);
+  add_sensation_field(points, body, evaluation);
+  write(*grid, vtu);
+}
+
+void write_garment(const GarmentResult& garment, const std::filesystem::path& vtu) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  set_points(*grid, garment.current);
+  grid->Allocate(static_cast<vtkIdType>(garment.triangles.size()));
+  add_cells(*grid, VTK_QUADRATIC_TRIANGLE, garment.triangles, {0, 1, 2, 3, 4, 5});
+  vtkPointData& points = *grid->GetPointData();
+  if (garment.placed.size() == garment.current.size())
+    add_field(points, "displacement", garment.current.size(), {"X", "Y", "Z"},
+              [&](std::size_t n, int c) { return garment.current[n][c] - garment.placed[n][c]; });
+  add_scalars(points, "contact_pressure", garment.contact_pressure);
+  vtkCellData& cells = *grid->GetCellData();
+  add_scalars(cells, "tension_warp", garment.tension_warp);
+  add_scalars(cells, "tension_weft", garment.tension_weft);
+  add_scalars(cells, "shear", garment.shear);
+  if (!garment.stretch_warp.empty())
+    add_field(cells, "stretch", garment.stretch_warp.size(), {"warp", "weft"}, [&](std::size_t n, int c) {
+      return c == 0 ? garment.stretch_warp[n] : garment.stretch_weft.at(n);
+    });
+  add_scalars(cells, "wrinkled", garment.wrinkled);
+  write(*grid, vtu);
+}
+
+void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd) {
+  std::ofstream out(pvd);
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+         "  <Collection>\n";
+  for (const GridStep& step : steps)
+    out << fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", step.time,
+                       step.file.generic_string());
+  out << "  </Collection>\n</VTKFile>\n";
+  if (!out.flush()) throw std::runtime_error("cannot write " + pvd.string());
+}
+
+}  // namespace snug::postproc

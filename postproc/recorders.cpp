@@ -1,0 +1,105 @@
+#include "postproc/recorders.hpp"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "postproc/grid.hpp"
+#include "postproc/tables.hpp"
+
+namespace snug::postproc {
+namespace {
+
+using Path = std::filesystem::path;
+
+bool always(const Record&) { return true; }
+bool has_body(const Record& record) { return !record.run.body.skin_facets.empty() || !record.run.body.cells.empty(); }
+bool has_stress(const Record& record) { return !record.run.body.cauchy_stress.empty(); }
+bool has_displacement(const Record& record) { return !record.run.body.displacement.empty(); }
+bool has_garment(const Record& record) { return !record.run.garment.triangles.empty(); }
+bool has_locations(const Record& record) { return !record.evaluation.locations.empty(); }
+bool has_comfort(const Record& record) { return record.evaluation.comfort.has_value(); }
+
+/// Calls `fill` with a stream to the file.
+template <class Fill>
+void write_text(const Path& file, Fill fill) {
+  std::ofstream out(file);
+  fill(out);
+  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+}
+
+/// The load parameter that the state has reached.
+double reached(const Record& record) { return record.run.history.empty() ? 1.0 : record.run.history.back().load; }
+
+const char* const body_grid = "body_0000.vtu";
+const char* const garment_grid = "garment_0000.vtu";
+
+void body_vtu(const Record& record, const Path& file) { write_body(record.run.body, record.evaluation, file); }
+void body_pvd(const Record& record, const Path& file) { write_series({{reached(record), body_grid}}, file); }
+void garment_vtu(const Record& record, const Path& file) { write_garment(record.run.garment, file); }
+void garment_pvd(const Record& record, const Path& file) { write_series({{reached(record), garment_grid}}, file); }
+
+void displacements(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_listing(out, displacement_listing(record.run.body)); });
+}
+void stresses(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_listing(out, stress_listing(record.run.body)); });
+}
+void nodes(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_listing(out, node_listing(record.run.body)); });
+}
+void locations(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_locations(out, record.evaluation); });
+}
+void comfort(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_comfort(out, record.evaluation); });
+}
+void history(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_history(out, record.run); });
+}
+void summary(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_summary(out, record.run, record.evaluation, record.provenance); });
+}
+
+void write_one(const Recorder& recorder, const Record& record, const Path& out) {
+  const Path target = out / recorder.file;
+  if (!recorder.applies(record)) {
+    std::filesystem::remove(target);
+    return;
+  }
+  const Path aside = out / (recorder.file + ".part");
+  try {
+    recorder.write(record, aside);
+    std::filesystem::rename(aside, target);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(aside, ignored);
+    throw;
+  }
+}
+
+}  // namespace
+
+const std::vector<Recorder>& recorders() {
+  static const std::vector<Recorder> list = {
+      {body_grid, has_body, body_vtu},
+      {"body.pvd", has_body, body_pvd},
+      {garment_grid, has_garment, garment_vtu},
+      {"garment.pvd", has_garment, garment_pvd},
+      {"nodes.lis", has_body, nodes},
+      {"displacement.lis", has_displacement, displacements},
+      {"stress.lis", has_stress, stresses},
+      {"locations.csv", has_locations, locations},
+      {"comfort.json", has_comfort, comfort},
+      {"history.csv", always, history},
+      {"summary.json", always, summary},
+  };
+  return list;
+}
+
+void write_results(const RunResult& run, const Evaluation& evaluation, const Path& out, const Provenance& provenance) {
+  std::filesystem::create_directories(out);
+  const Record record{run, evaluation, provenance};
+  for (const Recorder& recorder : recorders()) write_one(recorder, record, out);
+}
+
+}  // namespace snug::postproc

@@ -1,0 +1,153 @@
+#include "postproc/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <numeric>
+#include <stdexcept>
+
+#include "postproc/units.hpp"
+
+namespace snug::postproc {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// nlohmann writes numbers that are not finite as null, which is what we want of a value that was not computed.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+/// An empty map would become null.
+template <class Map>
+Json object(const Map& map) {
+  return map.empty() ? Json::object() : Json(map);
+}
+
+Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json location_json(const LocationRow& row) {
+  Json json = {{"location", row.name},
+               {"area_m2", row.area},
+               {"coverage", row.coverage},
+               {"mean_pressure_Pa", row.mean_pressure},
+               {"max_pressure_Pa", row.max_pressure},
+               {"mean_pressure_gf_per_cm2", to_gf_cm2(row.mean_pressure)},
+               {"mean_pressure_mmHg", to_mmHg(row.mean_pressure)},
+               {"rating", nullptr},
+               {"term", nullptr}};
+  if (!row.rating) return json;
+  json["rating"] = *row.rating;
+  json["term"] = row.term;
+  json["significant"] = row.significant;
+  json["extrapolated"] = row.extrapolated;
+  return json;
+}
+
+Json locations_json(const Evaluation& evaluation) {
+  Json json = Json::array();
+  for (const LocationRow& row : evaluation.locations) json.push_back(location_json(row));
+  return json;
+}
+
+Json comfort_json(const Comfort& comfort, const std::string& curves) {
+  Json memberships = Json::array(), rules = Json::array(), output = Json::object();
+  for (const LocationMembership& membership : comfort.memberships) {
+    Json degrees = Json::object();
+    for (std::size_t t = 0; t < comfort.sensation_terms.size(); ++t)
+      degrees[comfort.sensation_terms[t]] = membership.degrees.at(t);
+    memberships.push_back({{"location", membership.location}, {"rating", membership.rating}, {"degrees", degrees}});
+  }
+  for (const FiredRule& rule : comfort.rules) rules.push_back({{"rule", rule.rule}, {"strength", rule.strength}});
+  for (const auto& [term, degree] : comfort.output_memberships) output[term] = degree;
+  return {{"score", comfort.score},
+          {"term", comfort.term},
+          {"scale", "0 comfortable, 2 acceptable, 4 uncomfortable"},
+          {"curves", curves},
+          {"memberships", memberships},
+          {"rules", rules},
+          {"output_memberships", output}};
+}
+
+Json balance_json(const Balance& balance) {
+  Json reactions = Json::object();
+  for (const auto& [name, force] : balance.reactions) reactions[name] = vector_json(force);
+  return {{"garment_force_N", vector_json(balance.garment_force)},
+          {"skin_force_N", vector_json(balance.skin_force)},
+          {"force_error_N", vector_json(balance.force_error)},
+          {"moment_error_Nm", vector_json(balance.moment_error)},
+          {"contact_force_N", balance.contact_force},
+          {"reactions_N", reactions}};
+}
+
+Json unknowns_json(const RunResult& run) {
+  Json json = object(run.unknowns);
+  json["total"] = std::accumulate(run.unknowns.begin(), run.unknowns.end(), 0L,
+                                  [](long sum, const auto& part) { return sum + part.second; });
+  return json;
+}
+
+Json residuals_json(const RunResult& run) {
+  if (run.history.empty()) return Json::object();
+  const Iteration& last = run.history.back();
+  return {{"residual", last.residual}, {"complementarity", last.complementarity}, {"load", last.load},
+          {"contact_nodes", last.contact_nodes}};
+}
+
+Json phases_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const Phase& phase : run.phases) json.push_back({{"name", phase.name}, {"seconds", phase.seconds}});
+  return json;
+}
+
+double total_seconds(const RunResult& run) {
+  return std::accumulate(run.phases.begin(), run.phases.end(), 0.0,
+                         [](double sum, const Phase& phase) { return sum + phase.seconds; });
+}
+
+void add_outcome(Json& json, const RunResult& run) {
+  json["title"] = run.title;
+  json["tier"] = run.tier;
+  json["status"] = run.status;
+  json["message"] = run.message;
+  json["plan"] = {{"in", run.parts_in}, {"out", run.parts_out}};
+  json["unknowns"] = unknowns_json(run);
+  json["increments"] = run.increments;
+  json["iterations"] = run.iterations;
+  json["residuals"] = residuals_json(run);
+  json["balance"] = balance_json(run.balance);
+  json["max_penetration_m"] = run.max_penetration;
+  json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
+  json["numbers"] = object(run.numbers);
+}
+
+void add_evaluation(Json& json, const Evaluation& evaluation) {
+  json["locations"] = locations_json(evaluation);
+  json["comfort"] = nullptr;
+  if (evaluation.comfort) json["comfort"] = {{"score", evaluation.comfort->score}, {"term", evaluation.comfort->term}};
+}
+
+}  // namespace
+
+void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation, const Provenance& provenance) {
+  Json json;
+  add_outcome(json, run);
+  add_evaluation(json, evaluation);
+  json["seconds"] = total_seconds(run);
+  json["phases"] = phases_json(run);
+  json["peak_memory_bytes"] = run.peak_memory;
+  json["mesh_quality"] = object(provenance.mesh_quality);
+  json["versions"] = object(provenance.versions);
+  json["input_hashes"] = object(provenance.input_hashes);
+  out << text_of(json);
+}
+
+void write_comfort(std::ostream& out, const Evaluation& evaluation) {
+  if (!evaluation.comfort) throw std::logic_error("write_comfort: the evaluation has no comfort");
+  out << text_of(comfort_json(*evaluation.comfort, evaluation.curves));
+}
+
+std::string evaluation_json(const Evaluation& evaluation) {
+  Json json = {{"locations", locations_json(evaluation)}, {"comfort", nullptr}};
+  if (evaluation.comfort) json["comfort"] = comfort_json(*evaluation.comfort, evaluation.curves);
+  return text_of(json);
+}
+
+}  // namespace snug::postproc

@@ -1,0 +1,43 @@
+#include "postproc/tables.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include "postproc/units.hpp"
+
+namespace snug::postproc {
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+void write_locations(std::ostream& out, const Evaluation& evaluation) {
+  out << "location,area_m2,coverage,mean_pressure_Pa,max_pressure_Pa,mean_pressure_gf_per_cm2,max_pressure_gf_per_cm2,"
+         "mean_pressure_mmHg,max_pressure_mmHg,rating,term,significant,extrapolated\n";
+  for (const LocationRow& row : evaluation.locations) {
+    fmt::print(out, "{},{:.6g},{:.4f}", csv_cell(row.name), row.area, row.coverage);
+    fmt::print(out, ",{:.6g},{:.6g}", row.mean_pressure, row.max_pressure);
+    fmt::print(out, ",{:.6g},{:.6g}", to_gf_cm2(row.mean_pressure), to_gf_cm2(row.max_pressure));
+    fmt::print(out, ",{:.6g},{:.6g}", to_mmHg(row.mean_pressure), to_mmHg(row.max_pressure));
+    if (row.rating)
+      fmt::print(out, ",{:.4f},{},{},{}\n", *row.rating, row.term, row.significant, row.extrapolated);
+    else
+      out << ",,,,\n";
+  }
+}
+
+void write_history(std::ostream& out, const RunResult& run) {
+  out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,seconds,event\n";
+  for (const Iteration& row : run.history)
+    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{:.9g},{:.3f},{}\n", row.increment, row.load, row.iteration,
+               row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, row.energy, row.seconds,
+               csv_cell(row.event));
+}
+
+}  // namespace snug::postproc
