@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/input/case.hpp"
+#include "cases/input/material_reference.hpp"
 #include "materials/laws/response.hpp"
 
 namespace snug::materials {

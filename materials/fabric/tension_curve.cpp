@@ -74,20 +74,26 @@ TensionCurve::Value TensionCurve::at(double green) const {
 // Walks the data once: finds the smallest slope and cuts the range where the curve has become too soft.
 TensionCurve::TensionCurve(Kind kind, double p0, double p1, double data_end)
     : kind_(kind), p0_(p0), p1_(p1), end_(green_strain(data_end)), initial_stiffness_(p0), smallest_stiffness_(p0) {
-  const double floor = stiffness_floor * p0;
   constexpr int samples = 2000;
-  double last_good = 0.0;
+  const double step = data_end / samples;
+  int softest = 0;
   for (int k = 1; k <= samples; ++k) {
-    const double E = green_strain(data_end * k / samples);
-    const double slope = inside(E).stiffness;
-    if (slope < floor) {
-      end_ = last_good;
+    const double slope = inside(green_strain(k * step)).stiffness;
+    if (slope < stiffness_floor * p0) {
+      end_ = green_strain((k - 1) * step);
       break;
     }
-    smallest_stiffness_ = std::min(smallest_stiffness_, slope);
-    last_good = E;
+    if (slope < smallest_stiffness_) smallest_stiffness_ = slope, softest = k;
+  }
+  double low = std::max(0, softest - 1) * step, high = std::min((softest + 1) * step, engineering_strain(end_));
+  while (high - low > 1e-7 * step) {  // the slope has one minimum between the neighbours of the softest sample
+    const double third = (high - low) / 3.0;
+    const double left = inside(green_strain(low + third)).stiffness, right = inside(green_strain(high - third)).stiffness;
+    (left < right ? high : low) += left < right ? -third : third;
+    smallest_stiffness_ = std::min({smallest_stiffness_, left, right});
   }
   at_end_ = inside(end_);
+  smallest_stiffness_ = std::min(smallest_stiffness_, at_end_.stiffness);
 }
 
 TensionCurve TensionCurve::linear(double stiffness) {

@@ -4,11 +4,12 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "cases/input/case.hpp"
+#include "cases/input/material_reference.hpp"
 #include "materials/laws/neo_hooke.hpp"
 
 namespace snug::materials {
@@ -31,7 +32,8 @@ inline double initial_shear_modulus(const SolidLaw& law) {
 struct Tissue {
   std::string name;
   SolidLaw law;
-  std::string source;
+  std::array<double, 2> shear_range = {0.0, 0.0};  ///< Pa, lowest and highest published; 0, 0 when not given
+  std::string source;                              ///< where the numbers come from and what was assumed
 };
 
 /// Looks the reference up in the shipped data (materials/data/tissues.toml) or reads its inline table.

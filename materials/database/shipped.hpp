@@ -1,0 +1,47 @@
+// The shipped data as TOML text, one table an entry (materials/data/*.toml, put into the program when it is built).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/input/field.hpp"
+#include "cases/input/material_reference.hpp"
+#include "cases/input/table.hpp"
+
+namespace snug::materials {
+
+extern const char* const shipped_fabrics;
+extern const char* const shipped_tissues;
+
+/// Where an entry's numbers come from.
+struct Provenance {
+  std::string source;
+  std::vector<std::string> assumptions;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "source", .meaning = "where the numbers come from, as printed there"}, self.source);
+    field(Field{.key = "assumptions", .meaning = "what is not measured and was chosen instead"}, self.assumptions);
+  }
+  /// Source and assumptions in one line.
+  std::string text() const;
+};
+
+/// One entry by its name or the inline table of a reference, with the name it goes by.
+struct Entry {
+  std::string name;
+  input::Table table;
+  Provenance provenance;
+};
+
+/// Finds the table that `reference` means: its own one, or the entry of that name in `shipped` (TOML text of `file`).
+/// `what` ("fabric", "tissue") is for the message. Throws input::InputError with the nearest known name.
+Entry find_entry(const input::MaterialReference& reference, const char* shipped, const std::string& file,
+                 const std::string& what);
+std::vector<std::string> entry_names(const char* shipped);
+
+/// Keys of an entry that are not the law's own.
+inline std::vector<std::string> common_keys() { return {"law", "source", "assumptions"}; }
+
+}  // namespace snug::materials

@@ -1,0 +1,36 @@
+#include "cases/input/reader.hpp"
+#include "materials/database/shipped.hpp"
+#include "materials/laws/solid_law.hpp"
+
+namespace snug::materials {
+namespace {
+
+constexpr const char* file = "materials/data/tissues.toml";
+
+// Range of the initial shear modulus in the literature, beside the law's own keys.
+struct Range {
+  std::array<double, 2> shear_modulus = {0.0, 0.0};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(input::Field{.key = "range", .unit = "Pa", .meaning = "lowest and highest shear modulus published"}, self.shear_modulus);
+  }
+};
+
+}  // namespace
+
+Tissue find_tissue(const input::MaterialReference& reference) {
+  const Entry entry = find_entry(reference, shipped_tissues, file, "tissue");
+  input::Diagnostics diagnostics;
+  input::read_choice(entry.table, "law", {"neo-Hooke"}, diagnostics);
+  std::vector<std::string> others = common_keys();
+  others.push_back("range");
+  const auto law = input::read<NeoHooke>(entry.table, diagnostics, {.also_known = others});
+  const auto range = input::read<Range>(entry.table, diagnostics, {.also_known = entry.table.keys()});
+  diagnostics.throw_if_any();
+  return {.name = entry.name, .law = law, .shear_range = range.shear_modulus, .source = entry.provenance.text()};
+}
+
+std::vector<std::string> tissue_names() { return entry_names(shipped_tissues); }
+
+}  // namespace snug::materials

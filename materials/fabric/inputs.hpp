@@ -1,0 +1,100 @@
+// The forms in which a fabric is written down; each becomes a Fabric.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cases/input/field.hpp"
+#include "materials/fabric/fabric.hpp"
+
+namespace snug::materials {
+
+/// What every form has.
+struct Sheet {
+  double poisson = 0.0;
+  double weight = 0.0, thickness = 0.0, bending = 0.0;  ///< kg/m2, m, N m
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "poisson", .meaning = "coupling of warp and weft by the smallest stiffness",
+                .bound = {.low = 0.0, .high = 1.0, .high_open = true}}, self.poisson);
+    field(Field{.key = "weight", .unit = "kg/m2", .meaning = "mass per area", .bound = non_negative()}, self.weight);
+    field(Field{.key = "thickness", .unit = "m", .meaning = "thickness", .bound = non_negative()}, self.thickness);
+    field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness (not used yet)", .bound = non_negative()}, self.bending);
+  }
+};
+
+/// law = "linear": S = stiffness * E in warp and weft.
+struct LinearFabric {
+  double warp = 0.0, weft = 0.0, shear = 0.0;  ///< N/m
+  Sheet sheet;
+
+  Fabric fabric() const;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "warp", .unit = "N/m", .meaning = "warp stiffness", .required = true, .bound = positive()}, self.warp);
+    field(Field{.key = "weft", .unit = "N/m", .meaning = "weft stiffness", .required = true, .bound = positive()}, self.weft);
+    field(Field{.key = "shear", .unit = "N/m", .meaning = "shear stiffness", .required = true, .bound = positive()}, self.shear);
+    Sheet::describe(self.sheet, field);
+  }
+};
+
+/// law = "cubic": nominal force F = k1 e + k3 e^3, equal in warp and weft.
+struct CubicFabric {
+  double k1 = 0.0, k3 = 0.0, shear = 0.0;  ///< N/m
+  double data_end = 1.0;                   ///< engineering strain
+  Sheet sheet;
+
+  Fabric fabric() const;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "k1", .unit = "N/m", .meaning = "linear stiffness", .required = true, .bound = positive()}, self.k1);
+    field(Field{.key = "k3", .unit = "N/m", .meaning = "cubic stiffness", .required = true, .bound = non_negative()}, self.k3);
+    field(Field{.key = "data_end", .meaning = "elongation (1 = 100 %) up to which the law holds; straight beyond",
+                .bound = positive()}, self.data_end);
+    field(Field{.key = "shear", .unit = "N/m", .meaning = "shear stiffness", .required = true, .bound = positive()}, self.shear);
+    Sheet::describe(self.sheet, field);
+  }
+};
+
+/// The tensile part of a KES test in one direction.
+struct KesTension {
+  double LT = 0.0, WT = 0.0;      ///< 1, J/m2
+  std::optional<double> Fm, EMT;  ///< N/m, percent; one of the two
+
+  /// Fm, or 2 WT/(LT EMT).
+  double maximum_force() const { return Fm ? *Fm : 200.0 * WT / (LT * *EMT); }
+  TensionCurve curve() const { return TensionCurve::kes(LT, WT, maximum_force()); }
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "LT", .meaning = "linearity of the tensile curve", .required = true, .bound = between(0.1, 1.9)}, self.LT);
+    field(Field{.key = "WT", .unit = "J/m2", .meaning = "tensile work", .required = true, .bound = positive()}, self.WT);
+    field(Field{.key = "Fm", .unit = "N/m", .meaning = "largest force of the test", .bound = positive()}, self.Fm);
+    field(Field{.key = "EMT", .meaning = "elongation at Fm in percent, instead of Fm", .bound = positive()}, self.EMT);
+  }
+};
+
+/// law = "kes": the printed results of a KES-F test.
+struct KesFabric {
+  KesTension tension;              ///< warp, and weft unless `weft` is given
+  std::optional<KesTension> weft;
+  double G = 0.0;                  ///< N/m per rad
+  Sheet sheet;
+
+  Fabric fabric() const;
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    KesTension::describe(self.tension, field);
+    field(Field{.key = "weft", .meaning = "LT, WT, Fm or EMT of the weft, where they differ"}, self.weft);
+    field(Field{.key = "G", .unit = "N/(m rad)", .meaning = "shear stiffness", .required = true, .bound = positive()}, self.G);
+    Sheet::describe(self.sheet, field);
+  }
+};
+
+}  // namespace snug::materials

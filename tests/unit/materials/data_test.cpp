@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/fabric/fabric.hpp"
+#include "materials/laws/solid_law.hpp"
+
+namespace snug::testing {
+namespace {
+
+using input::InputError, input::MaterialReference;
+using materials::Fabric, materials::find_fabric, materials::find_tissue, materials::NeoHooke;
+
+MaterialReference named(const std::string& name) { return {.name = name, .table = {}, .where = {"case.toml", 7, 12}}; }
+MaterialReference inline_table(const std::string& text) { return {.name = {}, .table = text, .where = {"case.toml", 7, 12}}; }
+std::string error_of(auto&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+double nominal(const materials::TensionCurve& curve, double e) { return (1 + e) * curve.at(e + 0.5 * e * e).force; }
+
+TEST(Data, EveryEntryCanBeRead) {
+  // Each shipped tissue and fabric reads, names its source and what was assumed, and lies in its own range.
+  EXPECT_EQ(materials::fabric_names().size(), 8u);
+  for (const auto& name : materials::fabric_names()) {
+    const Fabric f = find_fabric(named(name));
+    EXPECT_EQ(f.name, name);
+    EXPECT_NE(f.source.find("assumed: "), std::string::npos) << name;
+    EXPECT_GT(f.warp.smallest_stiffness(), 0.0) << name;
+    EXPECT_LT(f.coupling, f.warp.smallest_stiffness()) << name;
+    EXPECT_GT(f.areal_density, 0.1) << name;
+    EXPECT_GT(f.bending, 0.0) << name;
+  }
+  for (const auto& name : materials::tissue_names()) {
+    const auto tissue = find_tissue(named(name));
+    const double mu = initial_shear_modulus(tissue.law);
+    EXPECT_GE(mu, tissue.shear_range[0]) << name;
+    EXPECT_LE(mu, tissue.shear_range[1]) << name;
+    EXPECT_FALSE(tissue.source.empty()) << name;
+  }
+}
+
+TEST(Data, WearTrialFabric) {
+  // N85L15 (LT 1.00, WT 10.02 gf cm/cm2, EMT 43.26 %, G 0.66 gf/(cm degree)): Fm = 2 WT/(LT EMT) = 46.325 gf/cm,
+  // straight to Fm at EMT, shear 0.66 * 56.18796562 N/m per rad.
+  const Fabric f = find_fabric(named("N85L15"));
+  const double Fm = 2 * 10.02 / 0.4326 * 0.980665;
+  EXPECT_NEAR(nominal(f.warp, 0.4326), Fm, 1e-9 * Fm);
+  EXPECT_NEAR(nominal(f.weft, 0.2163), 0.5 * Fm, 1e-9 * Fm);
+  EXPECT_NEAR(f.warp.at(0.4326 + 0.5 * 0.4326 * 0.4326).energy, 10.02 * 0.980665, 1e-9);
+  EXPECT_NEAR(f.shear, 0.66 * 56.18796562, 1e-6);
+  EXPECT_NEAR(f.areal_density, 0.215, 1e-12);
+  EXPECT_NEAR(f.thickness, 0.57e-3, 1e-15);
+  EXPECT_NEAR(f.bending, 0.02 * 9.80665e-5, 1e-15);
+  EXPECT_NEAR(f.coupling, 0.2 * f.warp.smallest_stiffness(), 1e-12);
+}
+
+TEST(Data, FmIsAssumedWhereEmtIsNotPrinted) {
+  // A92Np reaches 50 gf/cm at EMT = 2 WT/(LT Fm); its concave curve (LT = 1.14) is kept to the end of its data.
+  const Fabric f = find_fabric(named("A92Np"));
+  const double em = 2 * 8.79 / (1.14 * 50);
+  EXPECT_NEAR(nominal(f.warp, em), 50 * 0.980665, 1e-9);
+  EXPECT_NEAR(f.warp.data_end(), em + 0.5 * em * em, 1e-12);
+}
+
+TEST(Data, TissuesHoldWhatTheirSourcesPrint) {
+  // mu = 2 C10 and kappa as printed: thigh 111 kPa, skin 666.67 kPa, fat 66.67 kPa; bone E = 7 GPa.
+  const auto law = [](const char* name) { return std::get<NeoHooke>(find_tissue(named(name)).law); };
+  EXPECT_NEAR(law("relaxed thigh").shear_modulus, 2 * 2750.0, 1e-9);
+  EXPECT_NEAR(law("relaxed thigh").bulk_modulus(), 111e3, 1e3);
+  EXPECT_NEAR(law("skin").shear_modulus, 8e3, 1e-9);
+  EXPECT_NEAR(law("skin").bulk_modulus(), 666.67e3, 5e3);
+  EXPECT_NEAR(law("fat").shear_modulus, 0.8e3, 1e-9);
+  EXPECT_NEAR(law("fat").bulk_modulus(), 66.67e3, 500);
+  EXPECT_NEAR(law("bone").shear_modulus * 2 * (1 + law("bone").poisson_ratio), 7e9, 1e6);
+}
+
+TEST(Data, UnknownNamesGetTheNearestOne) {
+  // A misspelt entry is an error at its place that names the nearest known one.
+  const std::string tissue = error_of([] { find_tissue(named("relaxed claf")); });
+  EXPECT_NE(tissue.find("case.toml:7:12"), std::string::npos) << tissue;
+  EXPECT_NE(tissue.find("relaxed calf"), std::string::npos) << tissue;
+  const std::string fabric = error_of([] { find_fabric(named("N85L16")); });
+  EXPECT_NE(fabric.find("N85L15"), std::string::npos) << fabric;
+}
+
+TEST(Data, InlineTissue) {
+  // A table of the case's own values is a tissue.
+  const auto tissue = find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulus = "10 kPa", poisson_ratio = 0.49 })toml"));
+  EXPECT_DOUBLE_EQ(initial_shear_modulus(tissue.law), 10e3);
+  EXPECT_DOUBLE_EQ(std::get<NeoHooke>(tissue.law).poisson_ratio, 0.49);
+}
+
+TEST(Data, InlineFabrics) {
+  // Linear, cubic and KES tables are fabrics; units are converted, a weft of its own is taken.
+  const Fabric linear = find_fabric(inline_table(
+      R"toml({ law = "linear", warp = "1000 N/m", weft = "300 N/m", shear = "250 N/m", poisson = 0.5 })toml"));
+  EXPECT_NEAR(linear.warp.at(0.1).force, 100, 1e-12);
+  EXPECT_NEAR(linear.weft.at(0.1).force, 30, 1e-12);
+  EXPECT_NEAR(linear.coupling, 150, 1e-12);
+  EXPECT_NEAR(linear.shear, 250, 1e-12);
+  const Fabric cubic = find_fabric(inline_table(R"toml({ law = "cubic", k1 = "100 N/m", k3 = "2000 N/m", shear = "50 N/m" })toml"));
+  EXPECT_NEAR(nominal(cubic.weft, 0.2), 20 + 16, 1e-12);
+  const Fabric kes = find_fabric(inline_table(
+      R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", Fm = "500 gf/cm", G = "0.8 gf/(cm degree)", weft = { LT = 0.9, WT = "5 gf cm/cm2", Fm = "500 gf/cm" } })toml"));
+  EXPECT_NEAR(kes.warp.at(0).stiffness, 2379.713952, 1e-6);
+  EXPECT_NEAR(kes.weft.at(0).stiffness, 16071.336829, 1e-6);
+  EXPECT_NEAR(kes.shear, 44.950372, 1e-6);
+}
+
+TEST(Data, WrongInlineTablesSayWhatToWrite) {
+  // A wrong key, a missing number, a Poisson ratio that would lose convexity, or Fm and EMT together are located errors.
+  EXPECT_NE(error_of([] { find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulos = "10 kPa" })toml")); }).find("shear_modulus"),
+            std::string::npos);
+  EXPECT_NE(error_of([] { find_tissue(inline_table(R"toml({ law = "neo-Hook", shear_modulus = "10 kPa" })toml")); }).find("neo-Hooke"),
+            std::string::npos);
+  EXPECT_NE(error_of([] { find_fabric(inline_table(R"toml({ law = "linear", warp = "1 N/m", weft = "1 N/m", shear = "1 N/m", poisson = 1.0 })toml")); })
+                .find("poisson"), std::string::npos);
+  const std::string both = error_of([] {
+    find_fabric(inline_table(R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", Fm = "500 gf/cm", EMT = 7, G = "0.8 gf/(cm degree)" })toml"));
+  });
+  EXPECT_NE(both.find("both Fm and EMT"), std::string::npos) << both;
+  const std::string neither = error_of([] {
+    find_fabric(inline_table(R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", G = "0.8 gf/(cm degree)" })toml"));
+  });
+  EXPECT_NE(neither.find("neither Fm nor EMT"), std::string::npos) << neither;
+}
+
+}  // namespace
+}  // namespace snug::testing
