@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ class Session {
   Session(int& argc, char**& argv);
   ~Session();
   Session(const Session&) = delete;
+
+ private:
+  struct Runtime;
+  std::unique_ptr<Runtime> runtime_;
 };
 
 /// "openblas", "reference" or "unknown": which BLAS the process has loaded.

@@ -1,0 +1,97 @@
+#include "solver/algebra/sparse_scatter.hpp"
+
+#include <algorithm>
+
+namespace snug::solver {
+
+void SparseScatter::collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) {
+  groups_.assign(groups.size(), {});
+  touch_offset_.assign(rows() + 1, 0);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    Group& group = groups_[g];
+    group.row_offset = groups[g]->offset;
+    group.row.resize(groups[g]->entry.size());
+    group.offset.assign(1, 0);
+    for (int e = 0; e < groups[g]->elements(); ++e) {
+      const auto entries = groups[g]->of(e);
+      group.offset.push_back(group.offset.back() + entries.size() * entries.size());
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        const int unknown = numbering.unknown(entries[i]);
+        const bool ours = unknown >= first_row_ && unknown < end_row_;
+        group.row[group.row_offset[e] + i] = ours ? unknown - first_row_ : -1;
+        if (ours) ++touch_offset_[unknown - first_row_ + 1];
+      }
+    }
+    group.position.assign(group.offset.back(), -1);
+  }
+  for (int r = 0; r < rows(); ++r) touch_offset_[r + 1] += touch_offset_[r];
+  touch_.resize(touch_offset_.back());
+  std::vector<int> next(touch_offset_.begin(), touch_offset_.end() - 1);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (int e = 0; e < groups[g]->elements(); ++e)
+      for (int i = groups_[g].row_offset[e]; i < groups_[g].row_offset[e + 1]; ++i)
+        if (const int row = groups_[g].row[i]; row >= 0)
+          touch_[next[row]++] = {static_cast<int>(g), e, i - groups_[g].row_offset[e]};
+}
+
+void SparseScatter::fill_row(int row, const std::vector<const ElementEntries*>& groups, const Numbering& numbering,
+                             std::vector<int>& where) {
+  const std::size_t begin = column_.size();
+  for (int t = touch_offset_[row]; t < touch_offset_[row + 1]; ++t)
+    for (const int entry : groups[touch_[t].group]->of(touch_[t].element))
+      if (const int column = numbering.unknown(entry); column >= 0 && where[column] < static_cast<int>(begin)) {
+        where[column] = static_cast<int>(begin);
+        column_.push_back(column);
+      }
+  std::sort(column_.begin() + begin, column_.end());
+  for (std::size_t k = begin; k < column_.size(); ++k) where[column_[k]] = static_cast<int>(k);
+  diagonal_[row] = where[row + first_row_];
+  for (int t = touch_offset_[row]; t < touch_offset_[row + 1]; ++t) {
+    const auto entries = groups[touch_[t].group]->of(touch_[t].element);
+    Group& group = groups_[touch_[t].group];
+    int* position = group.position.data() + group.offset[touch_[t].element] + touch_[t].local * entries.size();
+    for (std::size_t j = 0; j < entries.size(); ++j) {
+      const int column = numbering.unknown(entries[j]);
+      position[j] = column < 0 ? -1 : where[column];
+    }
+  }
+  row_offset_.push_back(static_cast<int>(column_.size()));
+}
+
+void SparseScatter::build(const Numbering& numbering, const std::vector<const ElementEntries*>& groups, int first_row,
+                          int end_row) {
+  first_row_ = first_row;
+  end_row_ = end_row;
+  collect_touches(numbering, groups);
+  row_offset_.assign(1, 0);
+  column_.clear();
+  diagonal_.assign(rows(), -1);
+  std::vector<int> where(numbering.unknowns(), -1);  // position of a column in the row being filled
+  for (int row = 0; row < rows(); ++row) fill_row(row, groups, numbering, where);
+  value_.assign(column_.size(), 0.0);
+  residual_ = Eigen::VectorXd::Zero(rows());
+}
+
+void SparseScatter::zero() {
+  std::fill(value_.begin(), value_.end(), 0.0);
+  residual_.setZero();
+}
+
+void SparseScatter::add(int group_index, int element, std::span<const double> residual, std::span<const double> matrix) {
+  const Group& group = groups_[group_index];
+  const int* row = group.row.data() + group.row_offset[element];
+  const int n = group.row_offset[element + 1] - group.row_offset[element];
+  for (int i = 0; i < n; ++i)
+    if (row[i] >= 0) residual_[row[i]] += residual[i];
+  if (matrix.empty()) return;
+  const int* position = group.position.data() + group.offset[element];
+  for (std::size_t k = 0; k < matrix.size(); ++k)
+    if (position[k] >= 0) value_[position[k]] += matrix[k];
+}
+
+void SparseScatter::add_diagonal(const Eigen::VectorXd& values) {
+  for (int row = 0; row < rows(); ++row)
+    if (diagonal_[row] >= 0) value_[diagonal_[row]] += values[row];
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,68 @@
+// Element matrices into a compressed-row matrix by precomputed positions (MatSetValues costs more than the kernels).
+#pragma once
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+#include "solver/algebra/numbering.hpp"
+
+namespace snug::solver {
+
+/// The entries of the state vector that each element of a term couples, as a jagged array.
+struct ElementEntries {
+  std::vector<int> offset = {0};
+  std::vector<int> entry;
+  int elements() const { return static_cast<int>(offset.size()) - 1; }
+  std::span<const int> of(int element) const {
+    return {entry.data() + offset[element], static_cast<std::size_t>(offset[element + 1] - offset[element])};
+  }
+  void push(std::span<const int> entries) {
+    entry.insert(entry.end(), entries.begin(), entries.end());
+    offset.push_back(static_cast<int>(entry.size()));
+  }
+};
+
+/// Rows [first_row, end_row) of the matrix, which this rank owns; columns are global unknowns.
+class SparseScatter {
+ public:
+  /// Builds the pattern of all groups (one a term). Elements that touch no owned row are skipped.
+  void build(const Numbering& numbering, const std::vector<const ElementEntries*>& groups, int first_row, int end_row);
+
+  void zero();
+  /// Adds a dense element residual (n) and, when not empty, its matrix (n x n, row-major).
+  void add(int group, int element, std::span<const double> residual, std::span<const double> matrix);
+  /// Adds to the diagonal, one value an unknown of the owned rows.
+  void add_diagonal(const Eigen::VectorXd& values);
+
+  int rows() const { return end_row_ - first_row_; }
+  int first_row() const { return first_row_; }
+  const std::vector<int>& row_offsets() const { return row_offset_; }
+  const std::vector<int>& columns() const { return column_; }
+  const std::vector<double>& values() const { return value_; }
+  const Eigen::VectorXd& residual() const { return residual_; }
+
+ private:
+  struct Group {
+    std::vector<std::size_t> offset;  ///< of the element's positions
+    std::vector<int> position;        ///< n x n positions in `value_`, -1: not ours
+    std::vector<int> row_offset;      ///< of the element's rows
+    std::vector<int> row;             ///< n local rows, -1: not ours
+  };
+  struct Touch { int group, element, local; };
+  void collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);
+  void fill_row(int row, const std::vector<const ElementEntries*>& groups, const Numbering& numbering,
+                std::vector<int>& where);
+
+  int first_row_ = 0, end_row_ = 0;
+  std::vector<int> row_offset_, column_;
+  std::vector<double> value_;
+  Eigen::VectorXd residual_;
+  std::vector<int> diagonal_;
+  std::vector<Group> groups_;
+  std::vector<int> touch_offset_;
+  std::vector<Touch> touch_;
+};
+
+}  // namespace snug::solver

@@ -1,0 +1,24 @@
+// The state of a scene: a value. Copy it to keep it, assign it to go back.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace snug::solver {
+
+/// Where the parts of a scene stand in the state vector. Parts that a scene lacks have no entries.
+/// Body and garment entries are current positions (m), three a node; multipliers are contact pressures per rest area
+/// of the garment (Pa), one a garment vertex.
+struct Layout {
+  int body_nodes = 0, garment_nodes = 0, multipliers = 0;
+  int body(int node, int component = 0) const { return 3 * node + component; }
+  int garment(int node, int component = 0) const { return 3 * (body_nodes + node) + component; }
+  int multiplier(int i) const { return 3 * (body_nodes + garment_nodes) + i; }
+  int size() const { return 3 * (body_nodes + garment_nodes) + multipliers; }
+};
+
+struct State {
+  Eigen::VectorXd values;  ///< see Layout
+  double load = 0.0;       ///< s: 0 = placed and strain-free, 1 = the garment's rest metric is its pattern's
+};
+
+}  // namespace snug::solver

@@ -1,0 +1,77 @@
+#include "solver/scene/constraints.hpp"
+
+#include <deal.II/lac/affine_constraints.h>
+
+#include <set>
+
+namespace snug::solver {
+
+namespace {
+
+using Constraints = dealii::AffineConstraints<double>;
+
+void fix(Constraints& constraints, int entry) {
+  if (!constraints.is_constrained(entry)) constraints.add_line(entry);
+}
+
+void constrain_body(const input::BodySpec& spec, const mesh::BodyMesh& body, const Layout& layout,
+                    Constraints& constraints) {
+  for (const int node : body.bone_nodes)
+    for (int c = 0; c < 3; ++c) fix(constraints, layout.body(node, c));
+  if (spec.ends == "free") return;
+  for (const auto* nodes : {&body.lower_nodes, &body.upper_nodes})
+    for (const int node : *nodes)
+      for (int c = spec.ends == "fixed" ? 0 : 2; c < 3; ++c) fix(constraints, layout.body(node, c));
+}
+
+void constrain_garment(const input::Case& description, const mesh::GarmentMesh& garment, const Layout& layout,
+                       Constraints& constraints) {
+  auto held = description.garment->held;
+  if (slides_freely(description)) held.push_back({.edge = "upper", .held = "axis"});
+  for (const auto& edge : held)
+    for (const int node : garment.edges.at(edge.edge))
+      for (int c = edge.held == "all" ? 0 : 2; c < 3; ++c) fix(constraints, layout.garment(node, c));
+  for (std::size_t node = 0; node < garment.merged.size(); ++node) {
+    if (garment.merged[node] == static_cast<int>(node)) continue;
+    for (int c = 0; c < 3; ++c) {  // a seam: this side follows the other
+      const int entry = layout.garment(static_cast<int>(node), c);
+      constraints.add_line(entry);
+      constraints.add_entry(entry, layout.garment(garment.merged[node], c), 1.0);
+    }
+  }
+}
+
+}  // namespace
+
+Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact) {
+  Layout layout;
+  layout.body_nodes = deformable ? static_cast<int>(body.nodes.size()) : 0;
+  layout.garment_nodes = static_cast<int>(garment.pattern.size());
+  if (contact) {
+    std::set<int> vertices;
+    for (const auto& triangle : garment.triangles)
+      for (int v = 0; v < 3; ++v) vertices.insert(garment.merged[triangle[v]]);
+    layout.multipliers = static_cast<int>(vertices.size());
+  }
+  return layout;
+}
+
+bool slides_freely(const input::Case& description) { return description.garment && description.garment->held.empty(); }
+
+Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                         const Layout& layout) {
+  Constraints constraints;
+  if (layout.body_nodes > 0) constrain_body(*description.body, body, layout, constraints);
+  if (layout.garment_nodes > 0) constrain_garment(description, garment, layout, constraints);
+  constraints.close();
+  std::vector<int> master(layout.size());
+  for (int i = 0; i < layout.size(); ++i) {
+    master[i] = i;
+    if (!constraints.is_constrained(i)) continue;
+    const auto* line = constraints.get_constraint_entries(i);
+    master[i] = line->empty() ? -1 : static_cast<int>(line->front().first);
+  }
+  return Numbering(std::move(master));
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,24 @@
+// Who may move: prescribed and sewn entries of the state vector.
+#pragma once
+
+#include "cases/input/case.hpp"
+#include "mesh/body/body_mesh.hpp"
+#include "mesh/garment/garment_mesh.hpp"
+#include "solver/algebra/numbering.hpp"
+#include "solver/algebra/state.hpp"
+
+namespace snug::solver {
+
+/// Entries of a scene. `deformable`: the body's nodes are part of the state.
+Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact);
+
+/// True when no edge of the garment is held along the axis: it can slide off.
+bool slides_freely(const input::Case& description);
+
+/// Bone nodes are fixed; the cut planes slide in their plane, are fixed or free; sewn garment nodes share their
+/// unknowns; held edges keep their axial place (a garment without any is held at its upper edge, and the reaction there
+/// tells whether it is in equilibrium). Built as deal.II AffineConstraints.
+Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                         const Layout& layout);
+
+}  // namespace snug::solver

@@ -1,0 +1,70 @@
+#include "solver/scene/laplace.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace snug::solver {
+
+namespace {
+
+// Hoop and axial Cauchy tension (N/m) at hoop stretch l and axial stretch 1: N1 l and N2 / l.
+Eigen::Vector2d tensions(const materials::Fabric& fabric, bool warp_along, double stretch) {
+  const double hoop = 0.5 * (stretch * stretch - 1.0);
+  const auto response = fabric.relaxed(warp_along ? Eigen::Vector3d(0.0, hoop, 0.0) : Eigen::Vector3d(hoop, 0.0, 0.0), 0.0);
+  const double around = response.force[warp_along ? 1 : 0], along = response.force[warp_along ? 0 : 1];
+  return {around * stretch, along / stretch};
+}
+
+double distance(const mesh::Limb& limb, double turn, const Eigen::Vector3d& x) {
+  return (limb.skin->at(turn, x.z()) - x).squaredNorm();
+}
+
+// The turn of a point of the skin: the nearest of 64 samples, then golden-section search between its neighbours.
+double turn_of(const mesh::Limb& limb, const Eigen::Vector3d& x) {
+  constexpr int samples = 64;
+  int best = 0;
+  double least = distance(limb, 0.0, x);
+  for (int i = 1; i < samples; ++i)
+    if (const double d = distance(limb, i / double(samples), x); d < least) least = d, best = i;
+  double low = (best - 1.0) / samples, high = (best + 1.0) / samples;
+  const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+  while (high - low > 1e-8) {
+    const double a = high - golden * (high - low), b = low + golden * (high - low);
+    (distance(limb, a - std::floor(a), x) < distance(limb, b - std::floor(b), x) ? high : low) =
+        distance(limb, a - std::floor(a), x) < distance(limb, b - std::floor(b), x) ? b : a;
+  }
+  const double turn = 0.5 * (low + high);
+  return turn - std::floor(turn);
+}
+
+}  // namespace
+
+LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
+                                 const mesh::Limb& limb, const mesh::BodyMesh& body) {
+  LaplacePressure result;
+  result.pressure.assign(body.nodes.size(), 0.0);
+  result.covered.assign(body.nodes.size(), 0);
+  std::map<double, Eigen::Vector2d> tension_at;  // of a height, which many nodes share
+  const double lower = garment.position, upper = garment.position + garment.pattern.length;
+  for (const auto& facet : body.skin_facets)
+    for (const int node : facet) {
+      const Eigen::Vector3d& x = body.nodes[node];
+      if (result.covered[node] || x.z() < lower - 1e-9 || x.z() > upper + 1e-9) continue;
+      auto [it, fresh] = tension_at.try_emplace(x.z());
+      if (fresh)
+        it->second = tensions(fabric, garment.warp == "along", limb.girth(x.z()) / garment.pattern.flat_circumference);
+      result.covered[node] = 1;
+      result.pressure[node] = std::max(0.0, it->second.dot(limb.skin_curvature(turn_of(limb, x), x.z())));
+    }
+  double area = 0.0;
+  for (const auto& facet : body.skin_facets) {  // centre node with the facet's area
+    if (!result.covered[facet[4]]) continue;
+    const double a = (body.nodes[facet[5]] - body.nodes[facet[3]]).cross(body.nodes[facet[7]] - body.nodes[facet[1]]).norm();
+    area += a;
+    result.mean += a * result.pressure[facet[4]];
+  }
+  if (area > 0.0) result.mean /= area;
+  return result;
+}
+
+}  // namespace snug::solver

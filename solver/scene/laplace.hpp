@@ -1,0 +1,23 @@
+// Tier L0: the law of Laplace on the undeformed skin, p = T1 k1 + T2 k2.
+#pragma once
+
+#include <vector>
+
+#include "cases/input/case.hpp"
+#include "materials/fabric/fabric.hpp"
+#include "mesh/body/body_mesh.hpp"
+
+namespace snug::solver {
+
+/// Pressure (Pa) at the nodes of the mesh that the garment covers, 0 elsewhere, and its mean over the covered skin.
+struct LaplacePressure {
+  std::vector<double> pressure;
+  std::vector<char> covered;
+  double mean = 0.0;
+};
+
+/// The garment is taken as axially held (axial stretch 1) and stretched to the girth at each height, sliding freely.
+LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
+                                 const mesh::Limb& limb, const mesh::BodyMesh& body);
+
+}  // namespace snug::solver

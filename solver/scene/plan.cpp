@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "materials/fabric/fabric.hpp"
+#include "materials/laws/solid_law.hpp"
+#include "solver/scene/constraints.hpp"
+#include "solver/scene/run.hpp"
+
+namespace snug::solver {
+
+namespace {
+
+long count(const Numbering& numbering, int begin, int end) {
+  std::vector<char> seen(numbering.unknowns(), 0);
+  long sum = 0;
+  for (int i = begin; i < end; ++i)
+    if (const int unknown = numbering.unknown(i); unknown >= 0 && !seen[unknown]) seen[unknown] = 1, ++sum;
+  return sum;
+}
+
+void count_unknowns(const input::Case& description, const Meshes& meshes, bool deformable, Plan& plan) {
+  const bool contact = description.garment && description.contact;
+  const Layout layout = make_layout(meshes.body, meshes.garment, deformable, contact);
+  const Numbering numbering = make_numbering(description, meshes.body, meshes.garment, layout);
+  const auto put = [&](const char* part, int begin, int end) {
+    if (end > begin) plan.unknowns[part] = count(numbering, begin, end);
+  };
+  put("body", 0, layout.garment(0));
+  put("garment", layout.garment(0), layout.multiplier(0));
+  put("contact", layout.multiplier(0), layout.size());
+}
+
+void list_body(const input::Case& description, const Meshes& meshes, Plan& plan) {
+  if (plan.tier != "L4") {
+    plan.parts_in.push_back(fmt::format("skin: rigid, {} biquadratic facets", meshes.body.skin_facets.size()));
+    plan.parts_out.push_back("tissue: tier " + plan.tier + " takes the skin as rigid");
+    return;
+  }
+  for (std::size_t l = 0; l < meshes.body.layers.size(); ++l) {
+    const auto cells = std::count(meshes.body.cell_layer.begin(), meshes.body.cell_layer.end(), static_cast<int>(l));
+    plan.parts_in.push_back(fmt::format("{}: {}, {} Q2/P1 hexahedra", meshes.body.layers[l].name,
+                                        materials::find_tissue(meshes.body.layers[l].material).name, cells));
+  }
+  for (const auto& membrane : meshes.body.membranes)
+    plan.parts_in.push_back(fmt::format("{}: membrane of {:.2f} mm", membrane.name, 1e3 * membrane.thickness));
+  if (!meshes.body.bone_nodes.empty())
+    plan.parts_out.push_back("bone: rigid, a fixed boundary without unknowns");
+}
+
+void list_garment(const input::Case& description, const Meshes& meshes, Plan& plan) {
+  if (!description.garment) {
+    plan.parts_out.push_back("garment: no [garment] in the case");
+    plan.parts_out.push_back("contact: no garment");
+    return;
+  }
+  const auto fabric = materials::find_fabric(description.garment->fabric);
+  if (plan.tier == "L0") {
+    plan.parts_in.push_back("garment: law of Laplace, tension of " + fabric.name);
+    plan.parts_out.push_back("garment mesh, contact: tier L0 has no unknowns");
+    return;
+  }
+  plan.parts_in.push_back(
+      fmt::format("garment: {}, tension-field membrane, {} P2 triangles", fabric.name, meshes.garment.triangles.size()));
+  if (description.contact)
+    plan.parts_in.push_back("contact: frictionless, weighted gaps, " + description.contact->basis + " multipliers");
+  else
+    plan.parts_out.push_back("contact: no [contact] in the case");
+  plan.parts_out.push_back("friction: not in the case");
+  plan.parts_out.push_back("bending: not in the case");
+}
+
+// Time and memory by unknowns, from runs of the shipped cases on two cores (2026-11): a rough guide, not a promise.
+void estimate(Plan& plan) {
+  double rigid = 0.0, body = 0.0;
+  for (const auto& [part, unknowns] : plan.unknowns) (part == "body" ? body : rigid) += static_cast<double>(unknowns);
+  plan.seconds = 3e-4 * rigid + (body > 0.0 ? 3e-7 * std::pow(body + rigid, 1.6) : 0.0);
+  plan.memory_bytes = 2e8 + 6e3 * rigid + 3e4 * body;
+}
+
+}  // namespace
+
+Plan plan(const input::Case& description, const Meshes& meshes) {
+  Plan plan;
+  plan.tier = description.solver.tier;
+  list_body(description, meshes, plan);
+  list_garment(description, meshes, plan);
+  if (description.load && description.load->skin_pressure != 0.0 && plan.tier == "L4")
+    plan.parts_in.push_back("load: follower pressure on the skin");
+  else
+    plan.parts_out.push_back("load: no [load] in the case");
+  if (!description.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
+  if (plan.tier != "L0") count_unknowns(description, meshes, plan.tier == "L4", plan);
+  estimate(plan);
+  return plan;
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,183 @@
+#include "solver/scene/result.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "postproc/skin_pressure.hpp"
+
+namespace snug::solver {
+
+postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
+  postproc::BodyResult result;
+  result.nodes = mesh.nodes;
+  if (cells) result.cells = mesh.cells, result.cell_layer = mesh.cell_layer;
+  result.skin_facets = mesh.skin_facets;
+  for (const auto& layer : mesh.layers) result.layers.push_back(layer.name);
+  result.locations = mesh.locations;
+  result.node_location = mesh.node_location;
+  result.displacement.assign(mesh.nodes.size(), Eigen::Vector3d::Zero());
+  result.contact_pressure.assign(mesh.nodes.size(), 0.0);
+  result.coverage.assign(mesh.nodes.size(), 0.0);
+  return result;
+}
+
+namespace {
+
+void fill_stress(const Tissue& tissue, const State& state, postproc::BodyResult& body) {
+  body.cauchy_stress.assign(body.nodes.size(), Eigen::Matrix<double, 6, 1>::Zero());
+  std::vector<int> count(body.nodes.size(), 0);
+  for (int c = 0; c < tissue.cells(); ++c) {
+    const auto stress = tissue.nodal_stress(state, c);
+    for (int a = 0; a < 27; ++a) {
+      body.cauchy_stress[body.cells[c][a]] += stress[a];
+      ++count[body.cells[c][a]];
+    }
+  }
+  for (std::size_t node = 0; node < count.size(); ++node)
+    if (count[node] > 0) body.cauchy_stress[node] /= count[node];
+}
+
+void fill_garment(const FabricMembrane& fabric, const Layout& layout, const State& state, const mesh::GarmentMesh& mesh,
+                  postproc::GarmentResult& result) {
+  result.placed = mesh.placed;
+  result.pattern = mesh.pattern;
+  result.triangles = mesh.triangles;
+  for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
+    result.current.push_back(state.values.segment<3>(layout.garment(mesh.merged[node])));
+  result.contact_pressure.assign(mesh.pattern.size(), 0.0);
+  for (int t = 0; t < fabric.triangles(); ++t) {
+    const auto s = fabric.summary(state, t);
+    result.tension_warp.push_back(s.tension_warp);
+    result.tension_weft.push_back(s.tension_weft);
+    result.shear.push_back(s.shear);
+    result.stretch_warp.push_back(s.stretch_warp);
+    result.stretch_weft.push_back(s.stretch_weft);
+    result.wrinkled.push_back(s.wrinkled);
+  }
+}
+
+// Raw multipliers on the garment, per current area; mid-edge nodes get the mean of their edge.
+void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric, const Layout& layout, const State& state,
+                           const mesh::GarmentMesh& mesh, std::vector<double>& pressure) {
+  std::vector<double> ratio(mesh.pattern.size(), 0.0), count(mesh.pattern.size(), 0.0);
+  for (int t = 0; t < fabric.triangles(); ++t) {
+    const double r = fabric.summary(state, t).area_ratio;
+    for (const int node : mesh.triangles[t]) ratio[mesh.merged[node]] += r, count[mesh.merged[node]] += 1.0;
+  }
+  const auto at = [&](int node) {
+    const int m = mesh.merged[node], i = contact.multiplier_of(m);
+    return i < 0 ? 0.0 : state.values[layout.multiplier(i)] * count[m] / ratio[m];
+  };
+  for (const auto& triangle : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      pressure[triangle[k]] = at(triangle[k]);
+      pressure[triangle[3 + k]] = 0.5 * (at(triangle[k]) + at(triangle[(k + 1) % 3]));
+    }
+}
+
+void fill_samples(const Contact& contact, const FabricMembrane& fabric, const State& state,
+                  std::vector<postproc::ContactSample>& samples) {
+  samples = contact.samples(state);
+  for (int t = 0; t < fabric.triangles(); ++t)
+    for (int q = 0; q < Contact::points_per_triangle; ++q) {
+      auto& sample = samples[t * Contact::points_per_triangle + q];
+      if (sample.facet >= 0) sample.area = fabric.area_ratio(state, t, q) * fabric.pattern_area(t, q);
+    }
+}
+
+void fill_contact_balance(const Contact& contact, const State& state, bool deformable, postproc::Balance& balance) {
+  for (const auto& point : contact.point_forces(state)) {
+    balance.garment_force += point.force;
+    balance.skin_force -= point.force;
+    balance.contact_force += point.force.norm();
+    if (deformable) continue;  // the rigid skin's support answers with the opposite force
+    balance.force_error += point.force;
+    balance.moment_error += point.y.cross(point.force);
+  }
+}
+
+// Supports answer at prescribed entries: their force is the residual there.
+void fill_reactions(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                    postproc::Balance& balance) {
+  const Layout& layout = scene.layout();
+  const Eigen::VectorXd residual = scene.full_residual(state);
+  const auto support = [&](const std::string& name, const std::vector<int>& nodes, auto entry) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int node : nodes) {
+      Eigen::Vector3d force = Eigen::Vector3d::Zero();
+      for (int c = 0; c < 3; ++c)
+        if (scene.numbering().unknown(entry(node, c)) < 0) force[c] = residual[entry(node, c)];
+      sum += force;
+      balance.moment_error += Eigen::Vector3d(state.values.segment<3>(entry(node, 0))).cross(force);
+    }
+    balance.force_error += sum;
+    if (sum.norm() > 0.0) balance.reactions[name] = sum;
+  };
+  if (layout.body_nodes > 0) {
+    const auto entry = [&](int node, int c) { return layout.body(node, c); };
+    std::vector<char> counted(body.nodes.size(), 0);
+    const auto fresh = [&](const std::vector<int>& nodes) {
+      std::vector<int> list;
+      for (const int node : nodes)
+        if (!counted[node]) counted[node] = 1, list.push_back(node);
+      return list;
+    };
+    support("bone", fresh(body.bone_nodes), entry);
+    support("lower cut", fresh(body.lower_nodes), entry);
+    support("upper cut", fresh(body.upper_nodes), entry);
+  }
+  for (const auto& [name, nodes] : garment.edges)
+    support(name + " edge", nodes, [&](int node, int c) { return layout.garment(node, c); });
+}
+
+// Mean over the touched skin and over the whole skin; radial means the skin's own reference normal.
+void fill_numbers(const Scene& scene, postproc::RunResult& result) {
+  double force = 0.0, area = 0.0;
+  for (const auto& sample : result.samples)
+    if (sample.touching) force += sample.force, area += sample.area;
+  if (area > 0.0) result.numbers["mean_contact_pressure_Pa"] = force / area;
+  if (!result.samples.empty()) {
+    result.numbers["max_contact_pressure_Pa"] =
+        *std::max_element(result.body.contact_pressure.begin(), result.body.contact_pressure.end());
+    result.numbers["contact_area_m2"] = area;
+  }
+  if (scene.layout().body_nodes == 0) return;
+  double sum = 0.0, weight = 0.0, largest = 0.0;
+  for (const auto& facet : result.body.skin_facets) {
+    FacetNodes rest;
+    for (int a = 0; a < 9; ++a) rest.col(a) = result.body.nodes[facet[a]];
+    const FacetPoint centre = facet_point(rest, facet_shape(Eigen::Vector2d::Zero()));
+    sum += centre.area * result.body.displacement[facet[4]].dot(centre.n);
+    weight += centre.area;
+    for (const int node : facet) largest = std::max(largest, result.body.displacement[node].norm());
+  }
+  result.numbers["mean_skin_radial_displacement_m"] = sum / weight;
+  result.numbers["max_skin_displacement_m"] = largest;
+}
+
+}  // namespace
+
+void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                 postproc::RunResult& result) {
+  const Layout& layout = scene.layout();
+  for (int node = 0; node < layout.body_nodes; ++node)
+    result.body.displacement[node] = state.values.segment<3>(layout.body(node)) - body.nodes[node];
+  if (const auto* tissue = scene.find<Tissue>()) fill_stress(*tissue, state, result.body);
+  const auto* fabric = scene.find<FabricMembrane>();
+  if (fabric) fill_garment(*fabric, layout, state, garment, result.garment);
+  if (const auto* contact = scene.find<Contact>()) {
+    fill_samples(*contact, *fabric, state, result.samples);
+    fill_garment_pressure(*contact, *fabric, layout, state, garment, result.garment.contact_pressure);
+    fill_contact_balance(*contact, state, layout.body_nodes > 0, result.balance);
+    std::vector<Eigen::Vector3d> current = result.body.nodes;
+    for (std::size_t i = 0; i < current.size(); ++i) current[i] += result.body.displacement[i];
+    const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);
+    result.body.contact_pressure = pressure.pressure;
+    result.body.coverage = pressure.coverage;
+  }
+  fill_reactions(scene, state, body, garment, result.balance);
+  result.max_penetration = scene.measure(state).penetration;
+  fill_numbers(scene, result);
+}
+
+}  // namespace snug::solver

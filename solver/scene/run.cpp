@@ -1,0 +1,198 @@
+#include "solver/scene/run.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "solver/scene/laplace.hpp"
+#include "solver/scene/result.hpp"
+#include "solver/stepping/load_path.hpp"
+
+namespace snug::solver {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// One run: the parts of the flow share the clock, the observer and the result.
+class Run {
+ public:
+  Run(const input::Case& description, const Meshes& meshes, const Observer& observer)
+      : case_(description), meshes_(meshes), observer_(observer), start_(Clock::now()) {
+    const Plan parts = plan(description, meshes);
+    result_.title = description.title;
+    result_.tier = parts.tier;
+    result_.unknowns = parts.unknowns;
+    result_.parts_in = parts.parts_in, result_.parts_out = parts.parts_out;
+    expected_ = parts.seconds;
+    result_.body = body_result(meshes.body, parts.tier == "L4");
+  }
+
+  postproc::RunResult operator()() {
+    if (case_.garment) laplace();
+    if (result_.tier == "L0")
+      finish_laplace();
+    else if (case_.garment && case_.contact)
+      garment_then_body();
+    else if (result_.tier == "L4")
+      one_path(Skin::deformable, "body");
+    else
+      one_path(Skin::rigid, "garment");
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    result_.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    return std::move(result_);
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  /// Adds the time since the last call to the phase `name`.
+  void phase(const std::string& name) {
+    const double now = seconds();
+    for (auto& p : result_.phases)
+      if (p.name == name) {
+        p.seconds += now - last_phase_;
+        last_phase_ = now;
+        return;
+      }
+    result_.phases.push_back({name, now - last_phase_});
+    last_phase_ = now;
+  }
+
+  IterationSink sink(const std::string& name) {
+    return [this, name](postproc::Iteration row) {
+      row.increment += increments_before_;
+      row.seconds = seconds();
+      result_.history.push_back(row);
+      if (observer_)
+        observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, row.seconds, expected_});
+    };
+  }
+
+  void laplace() {
+    const auto fabric = materials::find_fabric(case_.garment->fabric);
+    const auto l0 = laplace_pressure(*case_.garment, fabric, meshes_.limb, meshes_.body);
+    result_.mean_laplace_pressure = l0.mean;
+    result_.body.laplace_pressure = l0.pressure;
+    phase("law of Laplace");
+  }
+
+  void finish_laplace() {
+    result_.body.contact_pressure = result_.body.laplace_pressure;
+    if (result_.body.contact_pressure.empty()) result_.body.contact_pressure.assign(result_.body.nodes.size(), 0.0);
+    for (std::size_t i = 0; i < result_.body.coverage.size(); ++i)
+      result_.body.coverage[i] = result_.body.contact_pressure[i] > 0.0 ? 1.0 : 0.0;
+    result_.numbers["mean_contact_pressure_Pa"] = result_.mean_laplace_pressure;
+    result_.status = "converged";
+  }
+
+  PathSettings settings() const {
+    PathSettings path;
+    path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
+    return path;
+  }
+
+  bool accept(const Scene& scene, const PathResult& path, const std::string& name) {
+    result_.increments = increments_before_ += path.increments;
+    result_.iterations = static_cast<int>(result_.history.size());
+    result_.status = path.complete ? "converged" : path.state.load > 0.0 ? "partial" : "failed";
+    if (!path.complete)
+      result_.message = fmt::format("{} stopped at s = {:.4f}: {}", name, path.state.load, path.message);
+    phase(name);
+    return path.complete;
+  }
+
+  void one_path(Skin skin, const std::string& name) {
+    Scene scene = make_scene(case_, meshes_.body, meshes_.garment, skin);
+    phase("set-up");
+    const auto path = follow_path(scene, placed_state(scene.layout(), meshes_.body, meshes_.garment), settings(), sink(name));
+    accept(scene, path, name);
+    fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
+    phase("results");
+  }
+
+  /// The garment tightens on the rigid skin first (tier L1, cheap and robust: its path is fictitious anyway); the body
+  /// is then released under the tightened garment in one increment. Where that fails, the body takes the whole path.
+  void garment_then_body() {
+    Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
+    phase("set-up");
+    State state = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
+    rigid.find<Contact>()->close_all(state);
+    const auto path = follow_path(rigid, state, settings(), sink("rigid skin"));
+    const bool complete = accept(rigid, path, "rigid skin");
+    if (complete && result_.tier == "L4" && !stray(rigid, path.state)) return release_body(rigid, path.state);
+    fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
+    if (complete) name_sliding();
+    phase("results");
+  }
+
+  void release_body(const Scene& rigid, const State& on_rigid) {
+    Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
+    phase("set-up");
+    PathSettings path = settings();
+    State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    PathResult released{start, false, 0, ""};
+    IterationSink to_history = sink("body");
+    released.complete = newton(scene, released.state, path.newton, to_history) == Outcome::converged;
+    released.increments = 1;
+    if (!released.complete) {
+      phase("body");
+      released = follow_path(scene, placed(scene), path, to_history);
+    }
+    accept(scene, released, "body");
+    fill_result(scene, released.state, meshes_.body, meshes_.garment, result_);
+    if (released.complete) name_sliding();
+    phase("results");
+  }
+
+  State placed(Scene& scene) {
+    State state = placed_state(scene.layout(), meshes_.body, meshes_.garment);
+    if (auto* contact = scene.find<Contact>()) contact->close_all(state);
+    return state;
+  }
+
+  /// A garment that no edge holds was pinned at its upper edge: a force there means that it would slide off.
+  bool stray(const Scene& scene, const State& state) const {
+    if (!slides_freely(case_)) return false;
+    postproc::RunResult probe;
+    probe.body = body_result(meshes_.body, false);
+    fill_result(scene, state, meshes_.body, meshes_.garment, probe);
+    return sliding_force(probe) != 0.0;
+  }
+
+  static double sliding_force(const postproc::RunResult& result) {
+    const auto it = result.balance.reactions.find("upper edge");
+    const double force = it == result.balance.reactions.end() ? 0.0 : it->second.z();
+    return std::abs(force) > 1e-5 * result.balance.contact_force ? force : 0.0;
+  }
+
+  void name_sliding() {
+    if (!slides_freely(case_)) return;
+    const double force = sliding_force(result_);
+    if (force == 0.0) return;
+    result_.status = "failed";
+    result_.message = fmt::format(
+        "no equilibrium: nothing holds the garment along the axis and a net contact force of {:.3g} N pushes it {}; "
+        "hold an edge: garment.held = [{{ edge = \"upper\", held = \"axis\" }}]",
+        std::abs(force), force > 0.0 ? "down" : "up");
+  }
+
+  const input::Case& case_;
+  const Meshes& meshes_;
+  const Observer& observer_;
+  Clock::time_point start_;
+  double last_phase_ = 0.0, expected_ = 0.0;
+  int increments_before_ = 0;
+  postproc::RunResult result_;
+};
+
+}  // namespace
+
+postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer) {
+  return Run(description, meshes, observer)();
+}
+
+}  // namespace snug::solver

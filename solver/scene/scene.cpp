@@ -1,0 +1,201 @@
+#include "solver/scene/scene.hpp"
+
+#include <Eigen/Dense>
+
+#include "materials/laws/skin_membrane.hpp"
+#include "solver/terms/skin_membrane_term.hpp"
+#include "solver/terms/skin_pressure_load.hpp"
+
+namespace snug::solver {
+
+namespace {
+
+class ScatterSink : public Sink {
+ public:
+  ScatterSink(SparseScatter& scatter, int group) : scatter_(scatter), group_(group) {}
+  void add(int element, std::span<const double> residual, std::span<const double> matrix) override {
+    scatter_.add(group_, element, residual, matrix);
+  }
+
+ private:
+  SparseScatter& scatter_;
+  int group_;
+};
+
+class VectorSink : public Sink {
+ public:
+  VectorSink(const ElementEntries& entries, Eigen::VectorXd& sum) : entries_(entries), sum_(sum) {}
+  void add(int element, std::span<const double> residual, std::span<const double>) override {
+    const auto entries = entries_.of(element);
+    for (std::size_t i = 0; i < entries.size(); ++i) sum_[entries[i]] += residual[i];
+  }
+
+ private:
+  const ElementEntries& entries_;
+  Eigen::VectorXd& sum_;
+};
+
+}  // namespace
+
+Scene::Scene(const Layout& layout, Numbering numbering)
+    : layout_(layout), numbering_(std::move(numbering)), proximal_weights_(Eigen::VectorXd::Zero(layout.size())) {}
+
+void Scene::add(std::unique_ptr<Term> term) {
+  terms_.push_back(std::move(term));
+  built_ = false;
+}
+
+void Scene::rebuild() {
+  std::vector<const ElementEntries*> groups;
+  for (const auto& term : terms_) groups.push_back(&term->entries());
+  const auto [first, end] = LinearSolver::owned_rows(numbering_.unknowns());
+  scatter_.build(numbering_, groups, first, end);
+  solver_.reset(scatter_, numbering_.unknowns());
+  built_ = true;
+}
+
+void Scene::update(const State& state) {
+  bool changed = !built_;
+  for (const auto& term : terms_) changed = term->update(state) || changed;
+  if (changed) rebuild();
+}
+
+bool Scene::assemble(const State& state, bool tangent) {
+  scatter_.zero();
+  for (std::size_t t = 0; t < terms_.size(); ++t) {
+    ScatterSink sink(scatter_, static_cast<int>(t));
+    if (!terms_[t]->assemble(state, tangent, sink)) return false;
+  }
+  return true;
+}
+
+Eigen::VectorXd Scene::full_residual(const State& state) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.size());
+  for (const auto& term : terms_) {
+    VectorSink sink(term->entries(), sum);
+    term->assemble(state, false, sink);
+  }
+  return sum;
+}
+
+LinearReport Scene::solve(double proximal, bool may_lag, Eigen::VectorXd& step) {
+  const int first = scatter_.first_row();
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns());
+  right.segment(first, scatter_.rows()) = -scatter_.residual();
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(scatter_.rows());
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int row = numbering_.unknown(i) - first; row >= 0 && row < scatter_.rows())
+      diagonal[row] += proximal * proximal_weights_[i];
+  scatter_.add_diagonal(diagonal);
+  Eigen::VectorXd x;
+  const LinearReport report = solver_.solve(scatter_, right, x, may_lag);
+  step = Eigen::VectorXd::Zero(layout_.size());
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
+  return report;
+}
+
+double Scene::force_residual() const {
+  // Multipliers stand last in the state vector and so have the last unknowns.
+  const int forces = std::clamp(numbering_.unknowns() - layout_.multipliers - scatter_.first_row(), 0, scatter_.rows());
+  const double squared = scatter_.residual().head(forces).squaredNorm();
+  double total = 0.0;
+  MPI_Allreduce(&squared, &total, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return std::sqrt(total);
+}
+
+Measure Scene::measure(const State& state) const {
+  Measure measure;
+  for (const auto& term : terms_) term->measure(state, measure);
+  return measure;
+}
+
+double Scene::step_bound(const State& state, const Eigen::VectorXd& step) const {
+  double bound = 1.0;
+  for (const auto& term : terms_) bound = term->step_bound(state, step, bound);
+  return bound;
+}
+
+namespace {
+
+// Membrane stiffness over edge length squared times the area of the node, N/m.
+Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& garment, double stiffness) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(layout.size());
+  for (const auto& triangle : garment.triangles) {
+    const double area = flat_triangle(garment.pattern[triangle[0]], garment.pattern[triangle[1]],
+                                      garment.pattern[triangle[2]]).area;
+    for (const int node : triangle)
+      for (int c = 0; c < 3; ++c)
+        weights[layout.garment(garment.merged[node], c)] +=
+            area / 6.0 * stiffness / (garment.mean_edge * garment.mean_edge);
+  }
+  return weights;
+}
+
+double fabric_stiffness(const materials::Fabric& fabric) {
+  return std::max(fabric.warp.at(0.0).stiffness, fabric.weft.at(0.0).stiffness);
+}
+
+// Pressure per gap at which contact is ten thousand times stiffer than what touches: computed, never a user's number.
+double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body,
+                         Skin skin) {
+  double local = fabric_stiffness(fabric) / (garment.mean_edge * garment.mean_edge);
+  if (skin == Skin::deformable)
+    for (const auto& layer : body.layers)
+      local = std::max(local, 3.0 * materials::initial_shear_modulus(materials::find_tissue(layer.material).law) /
+                                  body.mean_skin_cell);
+  return 1e4 * local;
+}
+
+void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene& scene) {
+  std::vector<materials::SolidLaw> laws;
+  for (const auto& layer : body.layers) laws.push_back(materials::find_tissue(layer.material).law);
+  scene.add(std::make_unique<Tissue>(scene.layout(), body, std::move(laws)));
+  for (const auto& membrane : body.membranes) {
+    const double shear = materials::initial_shear_modulus(materials::find_tissue(membrane.material).law);
+    scene.add(std::make_unique<SkinMembraneTerm>(scene.layout(), body,
+                                                 materials::SkinMembrane{shear, membrane.thickness}));
+  }
+  if (description.load && description.load->skin_pressure != 0.0)
+    scene.add(std::make_unique<SkinPressureLoad>(scene.layout(), body, description.load->skin_pressure));
+}
+
+}  // namespace
+
+Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin) {
+  const bool deformable = skin == Skin::deformable, contact = description.garment && description.contact;
+  const Layout layout = make_layout(body, garment, deformable, contact);
+  Scene scene(layout, make_numbering(description, body, garment, layout));
+  if (deformable) add_body(description, body, scene);
+  if (!description.garment) return scene;
+  const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
+  scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric));
+  scene.set_proximal_weights(proximal_weights(layout, garment, fabric_stiffness(fabric)));
+  if (contact)
+    scene.add(std::make_unique<Contact>(layout, garment, body, deformable, contact_stiffness(fabric, garment, body, skin),
+                                        description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
+  return scene;
+}
+
+State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment) {
+  State state;
+  state.values = Eigen::VectorXd::Zero(layout.size());
+  for (int node = 0; node < layout.body_nodes; ++node) state.values.segment<3>(layout.body(node)) = body.nodes[node];
+  for (int node = 0; node < layout.garment_nodes; ++node)
+    state.values.segment<3>(layout.garment(node)) = garment.placed[node];
+  return state;
+}
+
+State transfer(const State& state, const Layout& from, const Layout& to, const mesh::BodyMesh& body) {
+  State moved;
+  moved.load = state.load;
+  moved.values = Eigen::VectorXd::Zero(to.size());
+  for (int node = 0; node < to.body_nodes; ++node)
+    moved.values.segment<3>(to.body(node)) =
+        from.body_nodes ? Eigen::Vector3d(state.values.segment<3>(from.body(node))) : body.nodes[node];
+  moved.values.segment(to.garment(0), 3 * to.garment_nodes) = state.values.segment(from.garment(0), 3 * from.garment_nodes);
+  moved.values.tail(to.multipliers) = state.values.tail(from.multipliers);
+  return moved;
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,73 @@
+// The parts of a scene, owned, in the order in which a case names them. What a case does not name does not exist here.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/algebra/linear_solver.hpp"
+#include "solver/scene/constraints.hpp"
+#include "solver/terms/contact.hpp"
+#include "solver/terms/fabric_membrane.hpp"
+#include "solver/terms/tissue.hpp"
+
+namespace snug::solver {
+
+/// Terms, numbering and the matrix they share. Use `make_scene`.
+class Scene {
+ public:
+  Scene(const Layout& layout, Numbering numbering);
+
+  void add(std::unique_ptr<Term> term);
+  const Layout& layout() const { return layout_; }
+  const Numbering& numbering() const { return numbering_; }
+  const std::vector<std::unique_ptr<Term>>& terms() const { return terms_; }
+  /// The term of type T, or null where the scene has none.
+  template <class T>
+  T* find() const {
+    for (const auto& term : terms_)
+      if (auto* found = dynamic_cast<T*>(term.get())) return found;
+    return nullptr;
+  }
+
+  /// Lets every term look at the state; the sparsity pattern follows when one asks for it.
+  void update(const State& state);
+  /// Residual and tangent of all terms into the matrix. False: inadmissible state.
+  bool assemble(const State& state, bool tangent);
+  /// Residual on every entry, prescribed ones included (where it is minus the support's force).
+  Eigen::VectorXd full_residual(const State& state) const;
+  /// Solves tangent * step = -residual with `proximal` times the garment's proximal weights added to the diagonal;
+  /// `step` has an entry for every state entry (0 where prescribed).
+  LinearReport solve(double proximal, bool may_lag, Eigen::VectorXd& step);
+
+  /// Norm of the residual over force rows (N) and over gap rows (m3).
+  double force_residual() const;
+  Measure measure(const State& state) const;
+  double step_bound(const State& state, const Eigen::VectorXd& step) const;
+  /// Diagonal weights (N/m), one a state entry, of the proximal term: garment membrane stiffness of the nodes.
+  void set_proximal_weights(Eigen::VectorXd weights) { proximal_weights_ = std::move(weights); }
+
+ private:
+  void rebuild();
+
+  Layout layout_;
+  Numbering numbering_;
+  std::vector<std::unique_ptr<Term>> terms_;
+  SparseScatter scatter_;
+  LinearSolver solver_;
+  Eigen::VectorXd proximal_weights_;
+  bool built_ = false;
+};
+
+/// Which bodies of the tiers take part.
+enum class Skin { rigid, deformable };
+
+/// Builds the scene of a case from its parts. Throws input::InputError when a material is not found.
+Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin);
+
+/// The strain-free start: body at rest, garment as placed, no contact pressure, s = 0.
+State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment);
+
+/// The same garment and contact on another layout (from the rigid to the deformable body).
+State transfer(const State& state, const Layout& from, const Layout& to, const mesh::BodyMesh& body);
+
+}  // namespace snug::solver

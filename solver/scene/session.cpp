@@ -1,0 +1,25 @@
+#include <deal.II/base/mpi.h>
+#include <dlfcn.h>
+#include <petscsys.h>
+
+#include "solver/scene/run.hpp"
+
+namespace snug::solver {
+
+struct Session::Runtime {
+  Runtime(int& argc, char**& argv) : mpi(argc, argv, dealii::numbers::invalid_unsigned_int) {
+    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // a failed factorisation is an event for the recovery
+  }
+  dealii::Utilities::MPI::MPI_InitFinalize mpi;
+};
+
+Session::Session(int& argc, char**& argv) : runtime_(std::make_unique<Runtime>(argc, argv)) {}
+Session::~Session() = default;
+
+std::string loaded_blas() {
+  if (dlsym(RTLD_DEFAULT, "openblas_get_config")) return "openblas";
+  if (dlsym(RTLD_DEFAULT, "MKL_Get_Version") || dlsym(RTLD_DEFAULT, "bli_init")) return "tuned";
+  return dlsym(RTLD_DEFAULT, "dgemm_") ? "reference" : "unknown";
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,26 @@
+// The load path s = 0 ... 1 with step control and recovery.
+#pragma once
+
+#include "solver/stepping/newton.hpp"
+
+namespace snug::solver {
+
+struct PathSettings {
+  double first_step = 0.25;
+  double intermediate_residual = 1e-3;
+  int failures = 8;             ///< halvings in a row before giving up
+  NewtonSettings newton;        ///< of the final increment
+};
+
+struct PathResult {
+  State state;                  ///< the last converged one
+  bool complete = false;        ///< s = 1 reached
+  int increments = 0;
+  std::string message;          ///< why not
+};
+
+/// Secant prediction, Newton, longer steps after success, shorter steps and a stronger proximal term after failure.
+/// Always returns the last converged state.
+PathResult follow_path(Scene& scene, State start, const PathSettings& settings, const IterationSink& sink);
+
+}  // namespace snug::solver

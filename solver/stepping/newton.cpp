@@ -1,0 +1,76 @@
+#include "solver/stepping/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace snug::solver {
+
+std::string to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::converged: return "converged";
+    case Outcome::too_many_iterations: return "too many iterations";
+    case Outcome::linear_solver_failed: return "the linear solver failed";
+    case Outcome::inadmissible: return "an inverted cell could not be avoided";
+  }
+  return "";
+}
+
+namespace {
+
+// Follows sewn nodes: their entries move with their representatives because they share unknowns.
+bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fraction) {
+  const State start = state;
+  for (int halving = 0; halving < 10; ++halving, fraction *= 0.5) {
+    state.values = start.values + fraction * step;
+    scene.update(state);
+    if (scene.assemble(state, true)) return true;
+  }
+  state = start;
+  return false;
+}
+
+struct Check {
+  Measure measure;
+  double residual, complementarity;
+  bool done;
+};
+
+Check check(const Scene& scene, const State& state, const NewtonSettings& settings) {
+  Check c;
+  c.measure = scene.measure(state);
+  const double force = c.measure.contact_force, pressure = c.measure.reference_pressure;
+  c.residual = force > 0.0 ? scene.force_residual() / force : (scene.force_residual() > 0.0 ? 1.0 : 0.0);
+  c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
+  c.done = c.residual <= settings.residual && c.complementarity <= settings.complementarity &&
+           c.measure.penetration <= settings.penetration && c.measure.changed == 0;
+  return c;
+}
+
+}  // namespace
+
+Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const IterationSink& sink) {
+  scene.update(state);
+  if (!scene.assemble(state, true)) return Outcome::inadmissible;
+  postproc::Iteration row;
+  row.load = state.load;
+  row.step = 1.0;
+  for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
+    const Check now = check(scene, state, settings);
+    row.iteration = iteration;
+    row.residual = now.residual, row.complementarity = now.complementarity;
+    row.contact_nodes = now.measure.active, row.changed = now.measure.changed;
+    sink(row);
+    if (now.done) return Outcome::converged;
+    if (iteration == settings.iterations) break;
+    Eigen::VectorXd step;
+    const double proximal = settings.proximal * std::min(1.0, now.residual) + 1e-12;
+    const LinearReport report = scene.solve(proximal, settings.may_lag, step);
+    if (!report.ok) return Outcome::linear_solver_failed;
+    row.event = report.refactored ? "" : "lagged";
+    row.step = scene.step_bound(state, step);
+    if (!move(scene, state, step, row.step)) return Outcome::inadmissible;
+  }
+  return Outcome::too_many_iterations;
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,30 @@
+// Semismooth Newton on one increment.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "postproc/result.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace snug::solver {
+
+struct NewtonSettings {
+  double residual = 1e-9;         ///< |R| over the sum of contact forces
+  double complementarity = 1e-8;  ///< over the mean contact pressure
+  double penetration = 1e-9;      ///< m, weighted gap of nodes in contact
+  int iterations = 30;
+  double proximal = 1e-4;         ///< times the relative residual; vanishes at convergence, so it leaves no bias
+  bool may_lag = false;
+};
+
+enum class Outcome { converged, too_many_iterations, linear_solver_failed, inadmissible };
+std::string to_string(Outcome outcome);
+
+using IterationSink = std::function<void(const postproc::Iteration&)>;
+
+/// Solves at state.load from `state`; the last iterate stays in `state` (the caller keeps a copy to go back to).
+Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const IterationSink& sink);
+
+}  // namespace snug::solver

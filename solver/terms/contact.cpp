@@ -1,0 +1,317 @@
+#include "solver/terms/contact.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/terms/parallel.hpp"
+
+namespace snug::solver {
+
+namespace {
+
+// A facet counts as coupled to a triangle when a point is this near to it, so that the pattern of the matrix lasts.
+constexpr double coupling_margin = 0.85;
+
+}  // namespace
+
+struct Contact::Slot {
+  Eigen::VectorXd residual;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix;
+};
+
+Contact::Contact(const Layout& layout, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body, bool deformable,
+                 double stiffness, GapBasis basis)
+    : layout_(layout), skin_(layout, body, deformable), basis_(basis), stiffness_(stiffness),
+      reach_(5.0 * body.mean_skin_cell), step_limit_(0.5 * garment.mean_edge),
+      vertex_of_node_(garment.pattern.size(), -1) {
+  for (const auto& triangle : garment.triangles) {
+    Element element;
+    for (int a = 0; a < 6; ++a) element.nodes[a] = garment.merged[triangle[a]];
+    element.area = flat_triangle(garment.pattern[triangle[0]], garment.pattern[triangle[1]],
+                                 garment.pattern[triangle[2]]).area;
+    for (int v = 0; v < 3; ++v) {
+      int& vertex = vertex_of_node_[element.nodes[v]];
+      if (vertex < 0) {
+        vertex = vertices();
+        area_.push_back(0.0);
+        share_.push_back(0.0);
+      }
+      element.vertices[v] = vertex;
+      area_[vertex] += element.area / 3.0;
+      share_[vertex] += 1.0;
+    }
+    elements_.push_back(element);
+  }
+  for (double& share : share_) share = 1.0 / share;
+  weighted_gap_.assign(vertices(), 0.0);
+  facing_area_.assign(vertices(), 0.0);
+  active_.assign(vertices(), 0);
+  rebuild_entries();
+}
+
+Eigen::Vector3d Contact::basis(const Eigen::Vector3d& L) const {
+  return basis_ == GapBasis::hat ? L : Eigen::Vector3d(4.0 * L.array() - 1.0);  // 3 L_i - L_j - L_k
+}
+
+Eigen::Vector3d Contact::point(const State& state, const Element& element, int q) const {
+  const Eigen::Matrix<double, 6, 1> N = p2_values(triangle_rule()[q].L);
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  for (int a = 0; a < 6; ++a) x += N[a] * state.values.segment<3>(layout_.garment(element.nodes[a]));
+  return x;
+}
+
+Contact::Gap Contact::gap(const State& state, const Element& element, int q) const {
+  Gap gap;
+  const Site& site = element.sites[q];
+  gap.x = point(state, element, q);
+  if (site.facet < 0) return gap;
+  gap.shape = facet_shape(site.xi);
+  gap.at = facet_point(skin_.positions(state, site.facet), gap.shape);
+  gap.value = (gap.x - gap.at.y).dot(gap.at.n);
+  gap.facing = std::abs(gap.value) < reach_;
+  return gap;
+}
+
+double Contact::pressure(const State& state, const Element& element, int q) const {
+  const Eigen::Vector3d phi = basis(triangle_rule()[q].L);
+  double p = 0.0;
+  for (int v = 0; v < 3; ++v) p += phi[v] * state.values[layout_.multiplier(element.vertices[v])];
+  return p;
+}
+
+void Contact::couple(Element& element) {
+  const auto add = [&](int facet) {
+    if (facet < 0 || std::find(element.facets.begin(), element.facets.end(), facet) != element.facets.end()) return;
+    element.facets.push_back(facet);
+    for (const int node : skin_.nodes_of(facet))
+      if (std::find(element.skin_nodes.begin(), element.skin_nodes.end(), node) == element.skin_nodes.end())
+        element.skin_nodes.push_back(node);
+  };
+  element.facets.clear();
+  element.skin_nodes.clear();
+  for (const Site& site : element.sites) {
+    if (site.facet < 0) continue;
+    add(site.facet);
+    const auto& next = skin_.neighbours(site.facet);
+    if (site.xi[1] < -coupling_margin) add(next[0]);
+    if (site.xi[0] > coupling_margin) add(next[1]);
+    if (site.xi[1] > coupling_margin) add(next[2]);
+    if (site.xi[0] < -coupling_margin) add(next[3]);
+  }
+}
+
+void Contact::rebuild_entries() {
+  entries_ = {};
+  std::vector<int> entries;
+  for (const Element& element : elements_) {
+    entries.clear();
+    for (const int node : element.nodes)
+      for (int c = 0; c < 3; ++c) entries.push_back(layout_.garment(node, c));
+    for (const int node : element.skin_nodes)
+      for (int c = 0; c < 3; ++c) entries.push_back(layout_.body(node, c));
+    for (const int vertex : element.vertices) entries.push_back(layout_.multiplier(vertex));
+    entries_.push(entries);
+  }
+}
+
+bool Contact::locate(const State& state) {
+  tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
+    Element& element = elements_[e];
+    for (int q = 0; q < points_per_triangle; ++q)
+      element.sites[q] = skin_.follow(state, point(state, element, q), element.sites[q]);
+  });
+  if (!skin_.deformable()) return false;
+  bool changed = false;
+  for (Element& element : elements_)
+    for (const Site& site : element.sites)
+      if (site.facet >= 0 && std::find(element.facets.begin(), element.facets.end(), site.facet) == element.facets.end()) {
+        couple(element);
+        changed = true;
+        break;
+      }
+  if (changed) rebuild_entries();
+  return changed;
+}
+
+void Contact::weigh(const State& state) {
+  std::fill(weighted_gap_.begin(), weighted_gap_.end(), 0.0);
+  std::fill(facing_area_.begin(), facing_area_.end(), 0.0);
+  for (const Element& element : elements_)
+    for (int q = 0; q < points_per_triangle; ++q) {
+      const Gap g = gap(state, element, q);
+      if (!g.facing) continue;
+      const TrianglePoint& rule = triangle_rule()[q];
+      const Eigen::Vector3d phi = basis(rule.L);
+      for (int v = 0; v < 3; ++v) {
+        weighted_gap_[element.vertices[v]] += rule.weight * element.area * phi[v] * g.value;
+        facing_area_[element.vertices[v]] += rule.weight * element.area * rule.L[v];
+      }
+    }
+}
+
+bool Contact::update(const State& state) {
+  const bool moved = locate(state);
+  weigh(state);
+  changed_ = 0;
+  for (int i = 0; i < vertices(); ++i) {
+    const double trial = state.values[layout_.multiplier(i)] - stiffness_ * weighted_gap_[i] / area_[i];
+    const char now = trial > 0.0 && facing_area_[i] > 0.05 * area_[i];
+    if (now != active_[i]) ++changed_;
+    active_[i] = now;
+  }
+  return moved;
+}
+
+void Contact::close_all(const State& state) {
+  locate(state);
+  weigh(state);
+  for (int i = 0; i < vertices(); ++i) active_[i] = facing_area_[i] > 0.05 * area_[i];
+}
+
+void Contact::add_curvature(const Element& element, int q, const Gap& gap, double force, Slot& slot) const {
+  // Second derivative of the gap for a frozen facet (Laursen, Computational Contact and Impact Mechanics, ch. 5):
+  //   d2g = -(B_a D_a + D_a B_a) - k_ab D_a D_b + g m^ab (B_a + k_ac D_c)(B_b + k_bd D_d),
+  // D_a = A^ab [ (dx - dy) . y_b + g n . dy_b ], A = m - g k, B_a = n . dy_a, as linear forms of the entries.
+  const int n = static_cast<int>(slot.residual.size());
+  const Eigen::Matrix<double, 6, 1> N = p2_values(triangle_rule()[q].L);
+  Eigen::Matrix<double, Eigen::Dynamic, 2> T = Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(n, 2);
+  Eigen::Matrix<double, Eigen::Dynamic, 2> B = Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(n, 2);
+  for (int a = 0; a < 6; ++a) T.middleRows<3>(3 * a) = N[a] * gap.at.tangent;
+  if (skin_.deformable()) {
+    const auto& nodes = skin_.nodes_of(element.sites[q].facet);
+    for (int b = 0; b < 9; ++b) {
+      const auto it = std::find(element.skin_nodes.begin(), element.skin_nodes.end(), nodes[b]);
+      const int row = 18 + 3 * static_cast<int>(it - element.skin_nodes.begin());
+      B.middleRows<3>(row) = gap.at.n * gap.shape.dN.row(b);
+      T.middleRows<3>(row) = -gap.shape.N[b] * gap.at.tangent + gap.value * B.middleRows<3>(row);
+    }
+  }
+  const Eigen::Matrix2d A = gap.at.metric - gap.value * gap.at.curvature;
+  const Eigen::Matrix<double, Eigen::Dynamic, 2> D = T * A.inverse();
+  const Eigen::Matrix<double, Eigen::Dynamic, 2> E = B + D * gap.at.curvature;
+  const Eigen::Matrix2d weight = gap.value * gap.at.metric.inverse();
+  Eigen::Matrix<double, Eigen::Dynamic, 2> left = -B - D * gap.at.curvature;  // times D
+  slot.matrix.noalias() -= force * (left * D.transpose() - D * B.transpose() + E * weight * E.transpose());
+}
+
+void Contact::add_point(const State& state, const Element& element, int q, bool tangent, Slot& slot) const {
+  const Gap g = gap(state, element, q);
+  if (!g.facing) return;
+  const TrianglePoint& rule = triangle_rule()[q];
+  const double weight = rule.weight * element.area, p = pressure(state, element, q);
+  const int n = static_cast<int>(slot.residual.size()), rows = n - 3;
+  Eigen::VectorXd G = Eigen::VectorXd::Zero(n);  // dg
+  const Eigen::Matrix<double, 6, 1> N = p2_values(rule.L);
+  for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = N[a] * g.at.n;
+  if (skin_.deformable()) {
+    const auto& nodes = skin_.nodes_of(element.sites[q].facet);
+    for (int b = 0; b < 9; ++b) {
+      const auto it = std::find(element.skin_nodes.begin(), element.skin_nodes.end(), nodes[b]);
+      G.segment<3>(18 + 3 * (it - element.skin_nodes.begin())) = -g.shape.N[b] * g.at.n;
+    }
+  }
+  slot.residual -= weight * p * G;
+  const Eigen::Vector3d phi = basis(rule.L);
+  for (int v = 0; v < 3; ++v) {
+    if (!active_[element.vertices[v]]) continue;
+    slot.residual[rows + v] -= weight * phi[v] * g.value;
+    if (!tangent) continue;
+    slot.matrix.col(rows + v) -= weight * phi[v] * G;
+    slot.matrix.row(rows + v) -= weight * phi[v] * G.transpose();
+  }
+  if (tangent && p != 0.0) add_curvature(element, q, g, weight * p, slot);
+}
+
+void Contact::add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const {
+  const int rows = static_cast<int>(slot.residual.size()) - 3;
+  for (int v = 0; v < 3; ++v) {
+    const int vertex = element.vertices[v];
+    const double epsilon = share_[vertex] * area_[vertex] / stiffness_;
+    if (!active_[vertex]) slot.residual[rows + v] -= epsilon * state.values[layout_.multiplier(vertex)];
+    if (tangent) slot.matrix(rows + v, rows + v) -= epsilon;
+  }
+}
+
+bool Contact::assemble(const State& state, bool tangent, Sink& sink) const {
+  std::vector<Slot> slots(64);
+  const auto compute = [&](int e, Slot& slot) {
+    const Element& element = elements_[e];
+    const int n = 21 + 3 * static_cast<int>(element.skin_nodes.size());
+    slot.residual.setZero(n);
+    if (tangent) slot.matrix.setZero(n, n);
+    for (int q = 0; q < points_per_triangle; ++q) add_point(state, element, q, tangent, slot);
+    add_rows(state, element, tangent, slot);
+    return slot.residual.allFinite();
+  };
+  return for_elements(static_cast<int>(elements_.size()), slots, compute, [&](int e, Slot& slot) {
+    const auto n = static_cast<std::size_t>(slot.residual.size());
+    sink.add(e, {slot.residual.data(), n},
+             tangent ? std::span<const double>(slot.matrix.data(), n * n) : std::span<const double>());
+  });
+}
+
+double Contact::step_bound(const State&, const Eigen::VectorXd& direction, double limit) const {
+  // A point may not move farther than half a garment edge, so that it stays near the facets it was found on.
+  double longest = 0.0;
+  for (const Element& element : elements_)
+    for (const int node : element.nodes)
+      longest = std::max(longest, direction.segment<3>(layout_.garment(node)).norm());
+  return longest * limit > step_limit_ ? step_limit_ / longest : limit;
+}
+
+void Contact::measure(const State& state, Measure& measure) const {
+  double sum = 0.0;
+  for (int i = 0; i < vertices(); ++i) {
+    const double p = state.values[layout_.multiplier(i)], g = weighted_gap_[i] / area_[i];
+    if (active_[i]) {
+      sum += p;
+      ++measure.active;
+      measure.penetration = std::max(measure.penetration, std::abs(g));
+      measure.complementarity = std::max(measure.complementarity, -p);
+    } else {
+      measure.complementarity = std::max(measure.complementarity, std::abs(p));
+      if (facing_area_[i] > 0.05 * area_[i]) measure.penetration = std::max(measure.penetration, -g);
+    }
+  }
+  measure.changed += changed_;
+  if (measure.active > 0) measure.reference_pressure = std::max(measure.reference_pressure, sum / measure.active);
+  for (const PointForce& force : point_forces(state)) measure.contact_force += force.force.norm();
+}
+
+std::vector<Contact::PointForce> Contact::point_forces(const State& state) const {
+  std::vector<PointForce> forces;
+  forces.reserve(elements_.size() * points_per_triangle);
+  for (const Element& element : elements_)
+    for (int q = 0; q < points_per_triangle; ++q) {
+      const Gap g = gap(state, element, q);
+      PointForce force{g.x, g.x, Eigen::Vector3d::Zero()};
+      if (g.facing) {
+        force.y = g.at.y;
+        force.force = triangle_rule()[q].weight * element.area * pressure(state, element, q) * g.at.n;
+      }
+      forces.push_back(force);
+    }
+  return forces;
+}
+
+std::vector<postproc::ContactSample> Contact::samples(const State& state) const {
+  std::vector<postproc::ContactSample> samples;
+  samples.reserve(elements_.size() * points_per_triangle);
+  for (const Element& element : elements_)
+    for (int q = 0; q < points_per_triangle; ++q) {
+      postproc::ContactSample sample;
+      const Gap g = gap(state, element, q);
+      if (g.facing) {
+        sample.facet = element.sites[q].facet;
+        sample.xi = element.sites[q].xi[0], sample.eta = element.sites[q].xi[1];
+        sample.force = triangle_rule()[q].weight * element.area * pressure(state, element, q);
+        sample.touching = sample.force > 0.0;
+      }
+      samples.push_back(sample);
+    }
+  return samples;
+}
+
+}  // namespace snug::solver

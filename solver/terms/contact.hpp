@@ -1,0 +1,102 @@
+// Frictionless contact of the garment (slave) on the skin (master).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/garment/garment_mesh.hpp"
+#include "postproc/result.hpp"
+#include "solver/terms/garment_shape.hpp"
+#include "solver/terms/skin_surface.hpp"
+#include "solver/terms/term.hpp"
+
+namespace snug::solver {
+
+/// Test functions of the weighted gap on a triangle: hats L_i, or the dual functions 3 L_i - L_j - L_k.
+enum class GapBasis { hat, dual };
+
+/// Multipliers p_i (Pa per rest area of the garment) stand on garment vertices. With points q of rest weight w_q,
+/// g_q = (x_q - y(xi_q)) . n_q and basis Phi_i,
+///   weighted gap  g~_i = sum_q w_q Phi_i g_q,   A_i = sum_q w_q L_i,
+///   trial  p_i - c_i g~_i / A_i > 0  <=>  vertex i is in contact (primal-dual active set, Hueeber & Wohlmuth 2005),
+///   force on the garment  sum_q w_q (sum_i Phi_i p_i) n_q, its opposite on the skin at y(xi_q).
+/// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / c_i, of the others: -eps_i p_i = 0.
+/// As p^old follows the iterate, eps_i regularises the step only (augmented Lagrangian updated every iteration): the
+/// matrix [K, -G^T; -G, -eps] is quasi-definite and the converged state has g~_i = 0 exactly.
+/// The quadrature does not move in the pattern, so a point's facet may be found anew at every evaluation and is frozen
+/// in the tangent  -sum_q w_q p_q d2 g_q.
+class Contact : public Term {
+ public:
+  /// `stiffness` c (Pa/m) is computed by the scene from the parts' own stiffnesses.
+  Contact(const Layout& layout, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body, bool deformable,
+          double stiffness, GapBasis basis);
+
+  std::string name() const override { return "contact"; }
+  const ElementEntries& entries() const override { return entries_; }
+  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
+  bool update(const State& state) override;
+  void measure(const State& state, Measure& measure) const override;
+
+  int vertices() const { return static_cast<int>(area_.size()); }
+  /// Multiplier of a garment node, -1 where the node is no vertex.
+  int multiplier_of(int node) const { return vertex_of_node_[node]; }
+  /// Puts every vertex that faces the skin in contact (start of the load path).
+  void close_all(const State& state);
+  void set_stiffness(double stiffness) { stiffness_ = stiffness; }
+  /// Active set as found by the last update, one flag a vertex.
+  const std::vector<char>& active() const { return active_; }
+  /// Quadrature points with their forces; `area` is filled by the caller, who knows the garment's stretch.
+  std::vector<postproc::ContactSample> samples(const State& state) const;
+  /// Position, force on the garment (N) of every point, in the order of `samples`.
+  struct PointForce { Eigen::Vector3d x, y, force; };
+  std::vector<PointForce> point_forces(const State& state) const;
+  static constexpr int points_per_triangle = 7;
+
+ private:
+  struct Element {
+    std::array<int, 6> nodes;        ///< representative garment nodes
+    std::array<int, 3> vertices;     ///< multipliers
+    double area = 0.0;               ///< on the pattern, m2
+    std::vector<int> facets;         ///< whose nodes the element couples
+    std::vector<int> skin_nodes;
+    std::array<Site, points_per_triangle> sites;
+  };
+  struct Slot;
+  struct Gap {
+    bool facing = false;
+    double value = 0.0;
+    Eigen::Vector3d x;
+    FacetShape shape;
+    FacetPoint at;
+  };
+  Eigen::Vector3d basis(const Eigen::Vector3d& L) const;
+  Eigen::Vector3d point(const State& state, const Element& element, int q) const;
+  Gap gap(const State& state, const Element& element, int q) const;
+  double pressure(const State& state, const Element& element, int q) const;
+  bool locate(const State& state);
+  void couple(Element& element);
+  void rebuild_entries();
+  void weigh(const State& state);
+  void add_point(const State& state, const Element& element, int q, bool tangent, Slot& slot) const;
+  void add_curvature(const Element& element, int q, const Gap& gap, double force, Slot& slot) const;
+  void add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const;
+
+  Layout layout_;
+  SkinSurface skin_;
+  GapBasis basis_;
+  double stiffness_;
+  double reach_;                         ///< m, points farther from the skin face none
+  double step_limit_;                    ///< m, half a garment edge
+  std::vector<Element> elements_;
+  std::vector<int> vertex_of_node_;
+  std::vector<double> area_;             ///< A_i, m2
+  std::vector<double> share_;            ///< 1 / number of triangles at a vertex (its row is spread over them)
+  std::vector<double> weighted_gap_;     ///< g~_i at the last update, m3
+  std::vector<double> facing_area_;      ///< the part of A_i that faces the skin
+  std::vector<char> active_;
+  int changed_ = 0;
+  ElementEntries entries_;
+};
+
+}  // namespace snug::solver

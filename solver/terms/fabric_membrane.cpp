@@ -1,0 +1,139 @@
+#include "solver/terms/fabric_membrane.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+#include "solver/terms/garment_shape.hpp"
+#include "solver/terms/parallel.hpp"
+
+namespace snug::solver {
+
+FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+                               std::optional<double> prestretch)
+    : layout_(layout), fabric_(fabric) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corner = mesh.triangles[t];
+    Element element;
+    element.frame.col(0) = mesh.warp[t];
+    element.frame.col(1) = Eigen::Vector2d(-mesh.warp[t].y(), mesh.warp[t].x());
+    NodeVectors<6> placed;
+    std::array<int, 18> entries{};
+    for (int a = 0; a < 6; ++a) {
+      element.nodes[a] = mesh.merged[corner[a]];
+      placed.col(a) = mesh.placed[corner[a]];
+      for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(element.nodes[a], c);
+    }
+    const FlatTriangle flat = flat_triangle(mesh.pattern[corner[0]], mesh.pattern[corner[1]], mesh.pattern[corner[2]]);
+    for (const TrianglePoint& q : triangle_rule()) {
+      Point point;
+      point.gradient = (p2_derivatives(q.L) * flat.gradient).transpose();
+      point.weight = q.weight * flat.area;
+      const Eigen::Matrix<double, 3, 2> F0 = placed * point.gradient.transpose();
+      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> U0(Eigen::Matrix2d(F0.transpose() * F0));
+      point.axes = U0.eigenvectors();
+      point.log_placed = U0.eigenvalues().cwiseSqrt().cwiseMax(0.3).cwiseMin(3.0).array().log();
+      point.log_rest.setZero();
+      if (prestretch) point.log_rest = point.log_placed.array() - std::log(*prestretch);
+      element.points.push_back(point);
+    }
+    entries_.push(entries);
+    elements_.push_back(std::move(element));
+  }
+}
+
+double FabricMembrane::eta(double load) const { return std::pow(1e-2, 1.0 - load) * std::pow(final_eta_, load); }
+
+NodeVectors<6> FabricMembrane::positions(const State& state, const Element& element) const {
+  NodeVectors<6> x;
+  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(layout_.garment(element.nodes[a]));
+  return x;
+}
+
+Derivatives<6> FabricMembrane::derivatives(const Element& element, const Point& point, double load, double& rest_weight) {
+  const Eigen::Vector2d log_H = (1.0 - load) * point.log_placed + load * point.log_rest;
+  const Eigen::Matrix2d H_inverse = point.axes * (-log_H).array().exp().matrix().asDiagonal() * point.axes.transpose();
+  rest_weight = point.weight * std::exp(log_H.sum());
+  return (H_inverse * element.frame).transpose() * point.gradient;
+}
+
+double FabricMembrane::energy(const State& state) const {
+  double sum = 0.0;
+  for (const Element& element : elements_) {
+    const NodeVectors<6> x = positions(state, element);
+    for (const Point& point : element.points) {
+      double weight = 0.0;
+      const Derivatives<6> d = derivatives(element, point, state.load, weight);
+      sum += weight * fabric_.relaxed(membrane_strain<6>(x, d), eta(state.load)).energy;
+    }
+  }
+  return sum;
+}
+
+bool FabricMembrane::assemble(const State& state, bool tangent, Sink& sink) const {
+  std::vector<MembraneElement<6>> slots(256);
+  const double compressive = eta(state.load);
+  const auto compute = [&](int e, MembraneElement<6>& slot) {
+    const Element& element = elements_[e];
+    const NodeVectors<6> x = positions(state, element);
+    slot.zero();
+    for (const Point& point : element.points) {
+      double weight = 0.0;
+      const Derivatives<6> d = derivatives(element, point, state.load, weight);
+      add_membrane_point<6>(x, d, weight, fabric_.relaxed(membrane_strain<6>(x, d), compressive), tangent, slot);
+    }
+    return slot.residual.allFinite();
+  };
+  return for_elements(triangles(), slots, compute, [&](int e, MembraneElement<6>& slot) {
+    sink.add(e, {slot.residual.data(), 18}, tangent ? std::span<const double>(slot.matrix.data(), 324) : std::span<const double>());
+  });
+}
+
+double FabricMembrane::step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const {
+  // The current area of a point may not fall below a twentieth of what it is now.
+  State moved = state;
+  for (int halving = 0; halving < 12; ++halving, limit *= 0.5) {
+    moved.values = state.values + limit * direction;
+    bool ok = true;
+    for (int t = 0; t < triangles() && ok; ++t)
+      for (int q = 0; q < static_cast<int>(elements_[t].points.size()) && ok; ++q)
+        ok = area_ratio(moved, t, q) > 0.05 * area_ratio(state, t, q);
+    if (ok) break;
+  }
+  return limit;
+}
+
+double FabricMembrane::area_ratio(const State& state, int triangle, int point) const {
+  const Element& element = elements_[triangle];
+  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * element.points[point].gradient.transpose();
+  return F.col(0).cross(F.col(1)).norm();
+}
+
+FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle) const {
+  const Element& element = elements_[triangle];
+  const NodeVectors<6> x = positions(state, element);
+  Summary s;
+  s.area_ratio = 0.0;
+  double area = 0.0;
+  for (const Point& point : element.points) {
+    double weight = 0.0;
+    const Derivatives<6> d = derivatives(element, point, state.load, weight);
+    const Eigen::Matrix<double, 3, 2> f = x * d.transpose();
+    const auto response = fabric_.relaxed(membrane_strain<6>(x, d), eta(state.load));
+    const double l1 = f.col(0).norm(), l2 = f.col(1).norm(), J = f.col(0).cross(f.col(1)).norm();
+    // Cauchy force sigma = F N F^T / J, components along the current warp and weft directions.
+    s.tension_warp += point.weight * response.force[0] * l1 * l1 / J;
+    s.tension_weft += point.weight * response.force[1] * l2 * l2 / J;
+    s.shear += point.weight * response.force[2] * l1 * l2 / J;
+    s.stretch_warp += point.weight * l1;
+    s.stretch_weft += point.weight * l2;
+    s.wrinkled = std::max(s.wrinkled, static_cast<double>(response.state));
+    s.area_ratio += weight * J;
+    area += point.weight;
+  }
+  for (double* value : {&s.tension_warp, &s.tension_weft, &s.shear, &s.stretch_warp, &s.stretch_weft, &s.area_ratio})
+    *value /= area;
+  return s;
+}
+
+}  // namespace snug::solver

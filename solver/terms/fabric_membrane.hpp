@@ -1,0 +1,67 @@
+// The garment as a tension-field membrane on its flat pattern, tightened by metric homotopy.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "materials/fabric/fabric.hpp"
+#include "mesh/garment/garment_mesh.hpp"
+#include "solver/terms/membrane_kernel.hpp"
+#include "solver/terms/term.hpp"
+
+namespace snug::solver {
+
+/// Metric homotopy: with F0 = grad x_placed = R U0 on the pattern and U0 = sum l_i e_i e_i^T (l clipped to [0.3, 3]),
+///   H(s) = sum l_i^(1-s) m_i^s e_i e_i^T,   F_e = F H(s)^-1,   dA_rest = det H(s) dA_pattern.
+/// m_i = 1: at s = 1 the rest metric is exactly the pattern's. With a `prestretch` p, m_i = l_i / p: the rest shape is the
+/// placed shape shrunk by p (verification cases whose rest shape is not flat).
+class FabricMembrane : public Term {
+ public:
+  FabricMembrane(const Layout& layout, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+                 std::optional<double> prestretch = {});
+
+  std::string name() const override { return "fabric membrane"; }
+  const ElementEntries& entries() const override { return entries_; }
+  double energy(const State& state) const override;
+  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
+
+  /// Residual compressive stiffness eta of the relaxed energy at load s: 1e-2 at the start, `final_eta` at s = 1.
+  double eta(double load) const;
+  void set_final_eta(double eta) { final_eta_ = eta; }
+
+  /// Averages over a triangle: Cauchy forces per current length (N/m) along warp, weft and shear, stretches, state.
+  struct Summary {
+    double tension_warp = 0, tension_weft = 0, shear = 0, stretch_warp = 0, stretch_weft = 0, wrinkled = 0, area_ratio = 1;
+  };
+  Summary summary(const State& state, int triangle) const;
+  int triangles() const { return static_cast<int>(elements_.size()); }
+  /// Rest area of a quadrature point on the pattern, m2.
+  double pattern_area(int triangle, int point) const { return elements_[triangle].points[point].weight; }
+  /// Current area over pattern area at a quadrature point.
+  double area_ratio(const State& state, int triangle, int point) const;
+
+ private:
+  struct Point {
+    Eigen::Matrix<double, 2, 6> gradient;  ///< grad N_a on the pattern, 1/m
+    double weight = 0.0;                   ///< pattern area, m2
+    Eigen::Matrix2d axes;                  ///< eigenvectors of U0
+    Eigen::Vector2d log_placed, log_rest;  ///< ln l_i, ln m_i
+  };
+  struct Element {
+    std::array<int, 6> nodes;              ///< representative nodes
+    Eigen::Matrix2d frame;                 ///< columns: warp, weft on the pattern
+    std::vector<Point> points;
+  };
+  NodeVectors<6> positions(const State& state, const Element& element) const;
+  static Derivatives<6> derivatives(const Element& element, const Point& point, double load, double& rest_weight);
+
+  Layout layout_;
+  materials::Fabric fabric_;
+  std::vector<Element> elements_;
+  ElementEntries entries_;
+  double final_eta_ = 1e-3;
+};
+
+}  // namespace snug::solver

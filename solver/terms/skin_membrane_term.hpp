@@ -1,0 +1,48 @@
+// The skin as a membrane on the surface nodes of the body.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "materials/laws/skin_membrane.hpp"
+#include "mesh/body/body_mesh.hpp"
+#include "solver/terms/membrane_kernel.hpp"
+#include "solver/terms/term.hpp"
+
+namespace snug::solver {
+
+class SkinMembraneTerm : public Term {
+ public:
+  SkinMembraneTerm(const Layout& layout, const mesh::BodyMesh& mesh, const materials::SkinMembrane& law);
+
+  std::string name() const override { return "skin membrane"; }
+  const ElementEntries& entries() const override { return entries_; }
+  double energy(const State& state) const override;
+  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+
+ private:
+  struct Point {
+    Derivatives<9> d;     ///< along an orthonormal frame of the rest surface, 1/m
+    double weight = 0.0;  ///< rest area, m2
+  };
+  struct Element {
+    std::array<int, 9> nodes;
+    std::array<Point, 9> points;
+  };
+  materials::MembraneResponse response(const NodeVectors<9>& x, const Point& point) const;
+  NodeVectors<9> positions(const State& state, const Element& element) const;
+
+  Layout layout_;
+  materials::SkinMembrane law_;
+  std::vector<Element> elements_;
+  ElementEntries entries_;
+};
+
+/// 3 x 3 Gauss points of a facet: (xi, eta) and weight (sum 4).
+struct FacetRulePoint {
+  Eigen::Vector2d xi;
+  double weight = 0.0;
+};
+const std::array<FacetRulePoint, 9>& facet_rule();
+
+}  // namespace snug::solver

@@ -1,0 +1,107 @@
+#include "solver/terms/skin_surface.hpp"
+
+#include <deal.II/numerics/rtree.h>
+
+#include <algorithm>
+#include <map>
+
+namespace snug::solver {
+
+namespace {
+
+// A point may leave the border of the surface by this much of a facet and still meet it.
+constexpr double border_reach = 1.0 + 1e-6;
+// Corner nodes (tensor order) of the edges eta = -1, xi = +1, eta = +1, xi = -1.
+constexpr std::array<std::array<int, 2>, 4> edge_corners = {{{0, 2}, {2, 8}, {8, 6}, {6, 0}}};
+
+}  // namespace
+
+struct SkinSurface::Tree {
+  using Box = dealii::BoundingBox<3>;
+  dealii::RTree<std::pair<Box, int>> boxes;
+};
+
+SkinSurface::SkinSurface(const Layout& layout, const mesh::BodyMesh& mesh, bool deformable)
+    : layout_(layout), deformable_(deformable), facets_(mesh.skin_facets), reference_(mesh.nodes) {
+  connect();
+  std::vector<std::pair<Tree::Box, int>> boxes;
+  for (int f = 0; f < facets(); ++f) {
+    std::vector<dealii::Point<3>> points;
+    for (const int node : facets_[f]) points.emplace_back(reference_[node].x(), reference_[node].y(), reference_[node].z());
+    boxes.emplace_back(Tree::Box(points), f);
+  }
+  tree_ = std::make_unique<Tree>(Tree{dealii::pack_rtree(boxes)});
+}
+
+SkinSurface::~SkinSurface() = default;
+
+void SkinSurface::connect() {
+  std::map<std::pair<int, int>, std::pair<int, int>> open;  // corner pair -> facet, edge
+  neighbours_.assign(facets_.size(), {-1, -1, -1, -1});
+  for (int f = 0; f < facets(); ++f)
+    for (int e = 0; e < 4; ++e) {
+      const int a = facets_[f][edge_corners[e][0]], b = facets_[f][edge_corners[e][1]];
+      const auto key = std::minmax(a, b);
+      const auto [it, fresh] = open.emplace(key, std::pair{f, e});
+      if (fresh) continue;
+      neighbours_[f][e] = it->second.first;
+      neighbours_[it->second.first][it->second.second] = f;
+    }
+}
+
+FacetNodes SkinSurface::positions(const State& state, int facet) const {
+  FacetNodes nodes;
+  for (int a = 0; a < 9; ++a)
+    nodes.col(a) = deformable_ ? Eigen::Vector3d(state.values.segment<3>(layout_.body(facets_[facet][a])))
+                               : reference_[facets_[facet][a]];
+  return nodes;
+}
+
+bool SkinSurface::settle(const State& state, const Eigen::Vector3d& x, Site& site) const {
+  int previous = -1;
+  for (int walk = 0; walk < 12; ++walk) {
+    if (!project(positions(state, site.facet), x, 1.5, site.xi)) return false;
+    const Eigen::Vector2d over = site.xi.cwiseAbs().array() - 1.0;
+    const int axis = over[1] > over[0] ? 1 : 0;
+    if (over[axis] <= 1e-9) return true;
+    const int edge = axis == 0 ? (site.xi[0] > 0 ? 1 : 3) : (site.xi[1] > 0 ? 2 : 0);
+    const int next = neighbours_[site.facet][edge];
+    if (next < 0) {  // the border: a hair's breadth over it still counts
+      const bool near = over[axis] <= border_reach - 1.0;
+      site.xi = site.xi.cwiseMax(-1.0).cwiseMin(1.0);
+      return near;
+    }
+    if (next == previous) {  // the point stands over a convex kink between two facets: their common edge is nearest
+      site.xi = site.xi.cwiseMax(-1.0).cwiseMin(1.0);
+      return true;
+    }
+    previous = site.facet;
+    site = {next, Eigen::Vector2d::Zero()};
+  }
+  return false;
+}
+
+Site SkinSurface::follow(const State& state, const Eigen::Vector3d& x, const Site& last) const {
+  if (last.facet >= 0) {
+    Site site = last;
+    if (settle(state, x, site)) return site;
+  }
+  return find(state, x);
+}
+
+Site SkinSurface::find(const State& state, const Eigen::Vector3d& x) const {
+  namespace bgi = boost::geometry::index;
+  std::vector<std::pair<Tree::Box, int>> near;
+  tree_->boxes.query(bgi::nearest(dealii::Point<3>(x.x(), x.y(), x.z()), 6), std::back_inserter(near));
+  Site best;
+  double distance = std::numeric_limits<double>::max();
+  for (const auto& [box, facet] : near) {
+    Site site{facet, Eigen::Vector2d::Zero()};
+    if (!settle(state, x, site)) continue;
+    const double d = (x - positions(state, site.facet) * facet_shape(site.xi).N).norm();
+    if (d < distance) distance = d, best = site;
+  }
+  return best;
+}
+
+}  // namespace snug::solver

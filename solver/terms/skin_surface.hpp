@@ -1,0 +1,53 @@
+// The skin as master surface: biquadratic facets, their neighbours, and where a garment point meets them.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "mesh/body/body_mesh.hpp"
+#include "solver/algebra/state.hpp"
+#include "solver/terms/facet.hpp"
+
+namespace snug::solver {
+
+/// Where a garment point meets the skin; facet -1: it faces none.
+struct Site {
+  int facet = -1;
+  Eigen::Vector2d xi = Eigen::Vector2d::Zero();
+};
+
+class SkinSurface {
+ public:
+  /// `deformable`: nodes move with the state (body entries of the layout); otherwise they stand at their reference place.
+  SkinSurface(const Layout& layout, const mesh::BodyMesh& mesh, bool deformable);
+  ~SkinSurface();
+
+  bool deformable() const { return deformable_; }
+  int facets() const { return static_cast<int>(facets_.size()); }
+  const std::array<int, 9>& nodes_of(int facet) const { return facets_[facet]; }
+  FacetNodes positions(const State& state, int facet) const;
+  /// Neighbour across the edges eta = -1, xi = +1, eta = +1, xi = -1; -1 on the border.
+  const std::array<int, 4>& neighbours(int facet) const { return neighbours_[facet]; }
+
+  /// Global search for the facet nearest to x: a tree of bounding boxes of the reference surface, then projection.
+  Site find(const State& state, const Eigen::Vector3d& x) const;
+  /// Follows x from the last site over neighbouring facets; falls back on `find`.
+  Site follow(const State& state, const Eigen::Vector3d& x, const Site& last) const;
+
+ private:
+  struct Tree;
+  bool settle(const State& state, const Eigen::Vector3d& x, Site& site) const;
+  void connect();
+
+  Layout layout_;
+  bool deformable_;
+  std::vector<std::array<int, 9>> facets_;
+  std::vector<std::array<int, 4>> neighbours_;
+  std::vector<Eigen::Vector3d> reference_;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace snug::solver

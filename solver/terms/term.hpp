@@ -1,0 +1,48 @@
+// A term of the scene's energy: one file a physics. A term knows the state and its own data, no other term and no load path.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <limits>
+#include <string>
+
+#include "solver/algebra/sparse_scatter.hpp"
+#include "solver/algebra/state.hpp"
+
+namespace snug::solver {
+
+/// Where a term puts its element vectors and matrices; `matrix` is asked for only when the tangent is wanted.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  virtual void add(int element, std::span<const double> residual, std::span<const double> matrix) = 0;
+};
+
+/// What a term says of the state beside its residual (contact mostly). All SI.
+struct Measure {
+  double contact_force = 0.0;      ///< N, sum of |point forces|
+  double complementarity = 0.0;    ///< Pa
+  double penetration = 0.0;        ///< m
+  double reference_pressure = 0.0; ///< Pa, mean over active nodes
+  int active = 0, changed = 0;     ///< contact nodes; changed in the last update
+};
+
+class Term {
+ public:
+  virtual ~Term() = default;
+  virtual std::string name() const = 0;
+  /// The state entries that each element couples; may change in `update`.
+  virtual const ElementEntries& entries() const = 0;
+  /// Energy (J) at the state where one exists, NaN where none does.
+  virtual double energy(const State&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// Residual (gradient of the energy) and, if `tangent`, its derivative, element by element.
+  /// Returns false when the state is not admissible (inverted cell).
+  virtual bool assemble(const State& state, bool tangent, Sink& sink) const = 0;
+  /// Largest fraction of `direction` that stays admissible, at most `limit`.
+  virtual double step_bound(const State&, const Eigen::VectorXd& direction, double limit) const { return limit; }
+  /// Looks at a new iterate (search, active set) before assembly. Returns true when `entries` changed.
+  virtual bool update(const State&) { return false; }
+  virtual void measure(const State&, Measure&) const {}
+};
+
+}  // namespace snug::solver
