@@ -40,11 +40,18 @@ struct GirthRow {
   double height = 0.0, girth = 0.0, width = 0.0, depth = 0.0;  ///< width along x, depth along y
 };
 
+/// How far a smooth skin is from the scan it stands for, m; zero for stations.
+struct FitResidual {
+  double rms = 0.0, max = 0.0;
+  double smoothing_radius = 0.0;
+};
+
 /// Geometry of a limb between two heights.
 struct Limb {
   std::unique_ptr<Outline> skin;
   std::unique_ptr<Outline> bone;
   double lower = 0.0, upper = 0.0;  ///< m, heights of the cut planes
+  FitResidual residual = {};
 
   /// Outward unit normal of the skin (exact where the outline knows its derivatives).
   Eigen::Vector3d skin_normal(double turn, double z) const;

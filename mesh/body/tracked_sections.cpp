@@ -1,0 +1,134 @@
+#include "mesh/body/tracked_sections.hpp"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace snug::mesh {
+
+namespace {
+
+using input::InputError;
+using input::Location;
+
+Eigen::Vector3d file_axis(const std::string& text, const Location& where) {
+  const std::string axes = "xyz";
+  const bool negative = !text.empty() && text[0] == '-';
+  const std::string letter = negative || text.starts_with('+') ? text.substr(1) : text;
+  if (letter.size() != 1 || axes.find(letter) == std::string::npos)
+    throw InputError(where, fmt::format("\"{}\" is no axis of a file", text), "write x, y, z, -x, -y or -z");
+  return (negative ? -1.0 : 1.0) * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axes.find(letter)));
+}
+
+/// Rows: the body's x (side), y (front) and z (up) in the axes of the file.
+Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where) {
+  const Eigen::Vector3d up = file_axis(spec.up, where), front = file_axis(spec.front, where);
+  if (std::abs(up.dot(front)) > 0.5)
+    throw InputError(where, fmt::format("up = \"{}\" and front = \"{}\" lie along one axis", spec.up, spec.front),
+                     "name the file's axes that point up and to the front of the body");
+  Eigen::Matrix3d rotation;
+  rotation << front.cross(up).transpose(), front.transpose(), up.transpose();
+  return rotation;
+}
+
+void check_plane(const Eigen::Vector3d& normal, const char* name, const Location& where) {
+  const double upright = std::abs(normal.z()) / std::max(normal.norm(), 1e-300);
+  if (upright < std::cos(20.0 * std::numbers::pi / 180.0))
+    throw InputError(where, fmt::format("the {} cut plane is tilted by {:.0f} degrees against the body's axis", name,
+                                        std::acos(upright) * 180.0 / std::numbers::pi),
+                     "give a normal within 20 degrees of the up axis; the cut itself is horizontal");
+}
+
+/// Whether `next` can be the section above or below `last`, a few millimetres away.
+bool continues(const SectionLoop& last, const SectionLoop& next) {
+  const double radius = last.girth / (2.0 * std::numbers::pi);
+  return std::abs(next.girth - last.girth) < 0.15 * last.girth &&
+         (next.centroid - last.centroid).norm() < 0.25 * radius;
+}
+
+std::optional<SectionLoop> nearest_loop(const OrientedScan& scan, double z, const Eigen::Vector2d& to) {
+  auto loops = slice(scan.surface, z);
+  if (loops.empty()) return {};
+  const auto nearer = [&](const SectionLoop& a, const SectionLoop& b) {
+    return (a.centroid - to).squaredNorm() < (b.centroid - to).squaredNorm();
+  };
+  return *std::min_element(loops.begin(), loops.end(), nearer);
+}
+
+/// The sections beyond one cut plane, nearest first, as long as the limb goes on.
+std::vector<SectionLoop> beyond(const OrientedScan& scan, SectionLoop last, double z, double step, int count) {
+  std::vector<SectionLoop> found;
+  for (int n = 1; n <= count; ++n) {
+    const auto next = nearest_loop(scan, z + n * step, last.centroid);
+    if (!next || !continues(last, *next)) break;
+    found.push_back(last = *next);
+  }
+  return found;
+}
+
+std::vector<SectionLoop> between(const OrientedScan& scan, double dz, int steps, const Location& where) {
+  std::vector<SectionLoop> loops = {lower_section(scan, where)};
+  for (int n = 1; n <= steps; ++n) {
+    const double z = scan.lower.z() + n * dz;
+    const auto next = nearest_loop(scan, z, loops.back().centroid);
+    if (!next || !continues(loops.back(), *next))
+      throw InputError(where, fmt::format("the limb ends or joins another part of the body at height {:.1f} mm", 1e3 * z),
+                       "bring the cut planes closer together, to where the limb stands alone");
+    loops.push_back(*next);
+  }
+  const auto aimed = nearest_loop(scan, scan.upper.z(), scan.upper.head<2>());
+  if (aimed && (aimed->centroid - loops.back().centroid).norm() > 1e-6)
+    throw InputError(where, "the two cut planes lie on different parts of the body",
+                     "move the planes' points into the same limb");
+  return loops;
+}
+
+}  // namespace
+
+OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
+  if (!(spec.unit > 0.0)) throw InputError(where, fmt::format("the scan's unit is {:g} m", spec.unit), "write unit = \"1 mm\"");
+  const Eigen::Matrix3d rotation = file_to_body(spec, where);
+  const auto turned = [&](const std::array<double, 3>& v) -> Eigen::Vector3d {
+    return rotation * Eigen::Vector3d(v[0], v[1], v[2]);
+  };
+  check_plane(turned(spec.lower.normal), "lower", where);
+  check_plane(turned(spec.upper.normal), "upper", where);
+  OrientedScan scan{read_surface(spec.surface), turned(spec.lower.point), turned(spec.upper.point)};
+  for (auto& vertex : scan.surface.vertices) vertex = rotation * (spec.unit * vertex);
+  if (!(scan.upper.z() > scan.lower.z()))
+    throw InputError(where, fmt::format("the upper cut plane (height {:.1f} mm) is not above the lower one ({:.1f} mm)",
+                                        1e3 * scan.upper.z(), 1e3 * scan.lower.z()),
+                     "give heights along the up axis, in metres or with a unit");
+  check_closed(scan.surface, {spec.surface.string()}, HeightRange{scan.lower.z(), scan.upper.z()});
+  return scan;
+}
+
+SectionLoop lower_section(const OrientedScan& scan, const Location& where) {
+  const auto loop = nearest_loop(scan, scan.lower.z(), scan.lower.head<2>());
+  if (loop) return *loop;
+  throw InputError(where, fmt::format("the lower cut plane at height {:.1f} mm misses the surface", 1e3 * scan.lower.z()),
+                   "check the plane's point, the scan's unit and its up axis");
+}
+
+TrackedSections track_sections(const OrientedScan& scan, double spacing, double margin, const Location& where) {
+  const double length = scan.upper.z() - scan.lower.z();
+  const int steps = std::clamp(static_cast<int>(std::ceil(length / spacing)), 8, 400);
+  const double dz = length / steps;
+  const int beyond_steps = static_cast<int>(std::ceil(margin / dz));
+  const auto inside = between(scan, dz, steps, where);
+  const auto above = beyond(scan, inside.back(), scan.upper.z(), dz, beyond_steps);
+  auto below = beyond(scan, inside.front(), scan.lower.z(), -dz, beyond_steps);
+  TrackedSections sections{scan.lower.z() - dz * static_cast<double>(below.size()), dz, {}};
+  std::reverse(below.begin(), below.end());
+  const auto append = [&](const auto& part) { sections.loops.insert(sections.loops.end(), part.begin(), part.end()); };
+  append(below);
+  append(inside);
+  append(above);
+  return sections;
+}
+
+}  // namespace snug::mesh
