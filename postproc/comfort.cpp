@@ -9,14 +9,17 @@
 #include "postproc/sensation.hpp"
 
 // Choices that the source lost with its figures, all declared here:
-//  - bells of the sensations: centres at the marks 0 ... 4 of the scale, half width 0.5, so that neighbours cross at 1/2
+//  - bells of the sensations: centres at the marks 0 ... 4 of the scale, half width 0.5, so that neighbours cross at
+//  1/2
 //    midway between their marks; exponent 2b = 5;
 //  - bells of the comfort: three terms over [0, 4] in the order of growing discomfort (table 5.3 lists them in another
 //    order and gives no places), half width 1, the same exponent;
-//  - "or" between terms of one location is the bounded sum. With the maximum, "uncomfortable or worse" would hold only by
-//    half between two marks, and a rating of 2.5 would score better than 2; with the bounded sum it holds fully from 2 on.
-// The rules of table 5.4 are kept as they are. They prefer "all comfortable" (rating 1) to "all neutral" (rating 0), so the
-// score grows with the ratings from 1 upwards only.
+//  - "or" between terms of one location is the bounded sum. With the maximum, "uncomfortable or worse" would hold only
+//  by
+//    half between two marks, and a rating of 2.5 would score better than 2; with the bounded sum it holds fully from 2
+//    on.
+// The rules of table 5.4 are kept as they are. They prefer "all comfortable" (rating 1) to "all neutral" (rating 0), so
+// the score grows with the ratings from 1 upwards only.
 
 namespace snug::postproc {
 namespace {
@@ -91,7 +94,8 @@ Comfort judge(const std::vector<std::pair<std::string, double>>& ratings) {
   Comfort comfort;
   comfort.score = answer.score;
   comfort.term = comfort_terms[std::lround(answer.score / 2)];
-  for (std::size_t mark = 0; mark < sensation_ids.size(); ++mark) comfort.sensation_terms.push_back(sensation_term(mark));
+  for (std::size_t mark = 0; mark < sensation_ids.size(); ++mark)
+    comfort.sensation_terms.push_back(sensation_term(mark));
   for (std::size_t i = 0; i < ratings.size(); ++i)
     comfort.memberships.push_back({ratings[i].first, ratings[i].second, answer.memberships[i]});
   const std::vector<std::string> rules = readable_rules(ratings);

@@ -82,7 +82,8 @@ std::vector<LocationPressure> read_pressures(const std::filesystem::path& file) 
   for (std::size_t row = 0; row < names.size(); ++row) {
     const auto twice = [&](const LocationPressure& other) { return same_name(other.location, names[row]); };
     if (std::any_of(result.begin(), result.end(), twice))
-      diagnostics.error(table.place(row, table.find("location")), fmt::format("location '{}' a second time", names[row]),
+      diagnostics.error(table.place(row, table.find("location")),
+                        fmt::format("location '{}' a second time", names[row]),
                         "write one row a location, one file a garment");
     result.push_back({names[row], pressures[row]});
   }

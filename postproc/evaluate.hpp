@@ -38,7 +38,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
 /// A pressure that was measured or predicted elsewhere.
 struct LocationPressure {
   std::string location;
-  double pressure = 0.0;         ///< Pa
+  double pressure = 0.0;  ///< Pa
 };
 
 /// Reads a table with the columns location and pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg.

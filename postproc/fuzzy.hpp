@@ -27,14 +27,14 @@ struct FuzzySystem {
   FuzzyVariable output;
   std::vector<std::string> rules;  ///< "if p is low and s is soft then y is good"; "or" and parentheses are allowed
   Disjunction disjunction = Disjunction::maximum;
-  int resolution = 1001;           ///< sub-intervals of the output's range; the midpoint rule integrates over them
+  int resolution = 1001;  ///< sub-intervals of the output's range; the midpoint rule integrates over them
 };
 
 struct FuzzyAnswer {
-  double score = 0.0;                             ///< NaN when no rule fires
-  std::vector<std::vector<double>> memberships;   ///< per input, per term
-  std::vector<double> strengths;                  ///< per rule, degree of truth of its condition
-  std::vector<double> output_memberships;         ///< of the score in the output's terms
+  double score = 0.0;                            ///< NaN when no rule fires
+  std::vector<std::vector<double>> memberships;  ///< per input, per term
+  std::vector<double> strengths;                 ///< per rule, degree of truth of its condition
+  std::vector<double> output_memberships;        ///< of the score in the output's terms
 };
 
 /// Answers for the input values, which are clamped to their variable's range.

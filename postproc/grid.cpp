@@ -1,6 +1,7 @@
 #include "postproc/grid.hpp"
 
 #include <fmt/format.h>
+#include <vtkBiQuadraticQuad.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -10,7 +11,6 @@
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkTriQuadraticHexahedron.h>
-#include <vtkBiQuadraticQuad.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -118,8 +118,8 @@ void add_stress(vtkFieldData& data, const std::vector<Stress>& stress) {
             [&](std::size_t n, int c) { return principal[n][c]; });
 }
 
-/// Rating of the node's location where the node is covered; NaN elsewhere. One value a location, because the curves were
-/// fitted to pressures of whole locations.
+/// Rating of the node's location where the node is covered; NaN elsewhere. One value a location, because the curves
+/// were fitted to pressures of whole locations.
 void add_sensation_field(vtkFieldData& data, const BodyResult& body, const Evaluation& evaluation) {
   if (!evaluation.comfort) return;
   const double none = std::numeric_limits<double>::quiet_NaN();
@@ -136,7 +136,8 @@ void check_sizes(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
     for (int i = 0; i < data.GetNumberOfArrays(); ++i)
       if (data.GetAbstractArray(i)->GetNumberOfTuples() != entries)
         throw std::runtime_error(fmt::format("{}: field {} has {} values for {} entries", vtu.string(),
-                                             data.GetArrayName(i), data.GetAbstractArray(i)->GetNumberOfTuples(), entries));
+                                             data.GetArrayName(i), data.GetAbstractArray(i)->GetNumberOfTuples(),
+                                             entries));
   };
   check(*grid.GetPointData(), grid.GetNumberOfPoints());
   check(*grid.GetCellData(), grid.GetNumberOfCells());
@@ -187,9 +188,8 @@ void write_garment(const GarmentResult& garment, const std::filesystem::path& vt
   add_scalars(cells, "tension_weft", garment.tension_weft);
   add_scalars(cells, "shear", garment.shear);
   if (!garment.stretch_warp.empty())
-    add_field(cells, "stretch", garment.stretch_warp.size(), {"warp", "weft"}, [&](std::size_t n, int c) {
-      return c == 0 ? garment.stretch_warp[n] : garment.stretch_weft.at(n);
-    });
+    add_field(cells, "stretch", garment.stretch_warp.size(), {"warp", "weft"},
+              [&](std::size_t n, int c) { return c == 0 ? garment.stretch_warp[n] : garment.stretch_weft.at(n); });
   add_scalars(cells, "wrinkled", garment.wrinkled);
   write(*grid, vtu);
 }

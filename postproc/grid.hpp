@@ -13,7 +13,7 @@ namespace snug::postproc {
 /// One time step of a series.
 struct GridStep {
   double time = 0.0;
-  std::filesystem::path file;    ///< VTU, relative to the PVD
+  std::filesystem::path file;  ///< VTU, relative to the PVD
 };
 
 /// Writes the body: points are the reference positions (ParaView: Warp By Vector with `displacement`); cells are

@@ -17,8 +17,15 @@ namespace {
 constexpr int width = 13, digits = 5;
 
 std::vector<std::string> nodal_heading(const std::string& command, const std::string& kind, const std::string& frame) {
-  return {" PRINT " + command, "", "  ***** POST1 NODAL " + kind + " LISTING *****", "",
-          "  LOAD STEP=     1  SUBSTEP=     1", "   TIME=    1.0000      LOAD CASE=   0", "", "  " + frame, ""};
+  return {" PRINT " + command,
+          "",
+          "  ***** POST1 NODAL " + kind + " LISTING *****",
+          "",
+          "  LOAD STEP=     1  SUBSTEP=     1",
+          "   TIME=    1.0000      LOAD CASE=   0",
+          "",
+          "  " + frame,
+          ""};
 }
 
 /// Writes one "NODE / VALUE" pair: for each column the row that comes first in the order `before`.
@@ -37,7 +44,8 @@ void write_extrema(std::ostream& out, const Listing& listing, const char* title,
 }  // namespace
 
 std::string ansys_number(double value) {
-  if (!std::isfinite(value)) return fmt::format("{:>{}}", std::isnan(value) ? "NaN" : value < 0 ? "-Infinity" : "Infinity", width);
+  if (!std::isfinite(value))
+    return fmt::format("{:>{}}", std::isnan(value) ? "NaN" : value < 0 ? "-Infinity" : "Infinity", width);
   if (std::abs(value) < 1e-99) return fmt::format("{:>{}.4f}    ", 0.0, width - 4);
   // The rounded decimal form decides between the fixed and the exponent field, as in Fortran.
   const std::string scientific = fmt::format("{:.{}e}", std::abs(value), digits - 1);
@@ -60,8 +68,8 @@ Listing displacement_listing(const BodyResult& body) {
 
 Listing stress_listing(const BodyResult& body) {
   Listing listing;
-  listing.heading = nodal_heading("S    NODAL SOLUTION PER NODE", "STRESS",
-                                  "THE FOLLOWING X,Y,Z VALUES ARE IN GLOBAL COORDINATES");
+  listing.heading =
+      nodal_heading("S    NODAL SOLUTION PER NODE", "STRESS", "THE FOLLOWING X,Y,Z VALUES ARE IN GLOBAL COORDINATES");
   listing.labels = {"S1", "S2", "S3", "SINT", "SEQV"};
   for (const Stress& stress : body.cauchy_stress) {
     const Eigen::Vector3d s = principal_stresses(stress);

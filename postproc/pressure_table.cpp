@@ -50,9 +50,8 @@ std::vector<double> pressures_of(const input::Csv& table, input::Diagnostics& di
 }
 
 bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 input::Csv shipped_csv(std::string_view text, const std::string& name) {

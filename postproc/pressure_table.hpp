@@ -9,8 +9,8 @@
 
 namespace snug::postproc {
 
-/// Pressure of every row in Pa, from the column pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg (plain numbers) or from
-/// "pressure [unit]". Reports a missing column, cells that are no finite numbers and negative pressures; then the
+/// Pressure of every row in Pa, from the column pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg (plain numbers) or
+/// from "pressure [unit]". Reports a missing column, cells that are no finite numbers and negative pressures; then the
 /// result is empty.
 std::vector<double> pressures_of(const input::Csv& table, input::Diagnostics& diagnostics);
 

@@ -81,16 +81,11 @@ void write_one(const Recorder& recorder, const Record& record, const Path& out) 
 
 const std::vector<Recorder>& recorders() {
   static const std::vector<Recorder> list = {
-      {body_grid, has_body, body_vtu},
-      {"body.pvd", has_body, body_pvd},
-      {garment_grid, has_garment, garment_vtu},
-      {"garment.pvd", has_garment, garment_pvd},
-      {"nodes.lis", has_body, nodes},
-      {"displacement.lis", has_displacement, displacements},
-      {"stress.lis", has_stress, stresses},
-      {"locations.csv", has_locations, locations},
-      {"comfort.json", has_comfort, comfort},
-      {"history.csv", always, history},
+      {body_grid, has_body, body_vtu},          {"body.pvd", has_body, body_pvd},
+      {garment_grid, has_garment, garment_vtu}, {"garment.pvd", has_garment, garment_pvd},
+      {"nodes.lis", has_body, nodes},           {"displacement.lis", has_displacement, displacements},
+      {"stress.lis", has_stress, stresses},     {"locations.csv", has_locations, locations},
+      {"comfort.json", has_comfort, comfort},   {"history.csv", always, history},
       {"summary.json", always, summary},
   };
   return list;

@@ -19,17 +19,17 @@ struct Record {
 };
 
 struct Recorder {
-  std::string file;                                               ///< name in out/
-  bool (*applies)(const Record&);                                 ///< false: the scene has nothing for this file
-  void (*write)(const Record&, const std::filesystem::path&);     ///< writes the file at that path
+  std::string file;                                            ///< name in out/
+  bool (*applies)(const Record&);                              ///< false: the scene has nothing for this file
+  void (*write)(const Record&, const std::filesystem::path&);  ///< writes the file at that path
 };
 
 /// In the order in which the files are written; summary.json last, so that it stands for a complete set.
 const std::vector<Recorder>& recorders();
 
-/// Writes the files of every recorder that applies into `out` (made when missing). Each is written aside and renamed; the
-/// file of a recorder that does not apply is removed, so that no result of an earlier scene stays behind.
-/// Throws std::runtime_error naming the file that cannot be written.
+/// Writes the files of every recorder that applies into `out` (made when missing). Each is written aside and renamed;
+/// the file of a recorder that does not apply is removed, so that no result of an earlier scene stays behind. Throws
+/// std::runtime_error naming the file that cannot be written.
 void write_results(const RunResult& run, const Evaluation& evaluation, const std::filesystem::path& out,
                    const Provenance& provenance = {});
 

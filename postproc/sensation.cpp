@@ -103,8 +103,8 @@ Rating rate(const SensationCurve& curve, double pressure) {
 }
 
 const SensationCurve* SensationCurves::find(std::string_view location) const {
-  const auto found =
-      std::find_if(curves.begin(), curves.end(), [&](const auto& curve) { return same_name(curve.location, location); });
+  const auto found = std::find_if(curves.begin(), curves.end(),
+                                  [&](const auto& curve) { return same_name(curve.location, location); });
   return found == curves.end() ? nullptr : &*found;
 }
 

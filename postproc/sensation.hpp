@@ -21,21 +21,21 @@ std::string sensation_term(double rating);
 struct SensationCurve {
   std::string location;
   double intercept = 0.0;
-  double slope = 0.0;                ///< rating per Pa
-  double mean_rating = 0.0;          ///< of the trial; used where the slope is not significant
-  double low = 0.0, high = 0.0;      ///< Pa, range of the trial's pressures
-  double scatter = 0.0;              ///< residual standard deviation of the ratings, n - 2 degrees of freedom
+  double slope = 0.0;            ///< rating per Pa
+  double mean_rating = 0.0;      ///< of the trial; used where the slope is not significant
+  double low = 0.0, high = 0.0;  ///< Pa, range of the trial's pressures
+  double scatter = 0.0;          ///< residual standard deviation of the ratings, n - 2 degrees of freedom
   double largest_residual = 0.0;
-  double p_value = 1.0;              ///< two-sided t-test of slope = 0
-  bool significant = false;          ///< p_value < 0.05
+  double p_value = 1.0;      ///< two-sided t-test of slope = 0
+  bool significant = false;  ///< p_value < 0.05
   int points = 0;
 };
 
 struct Rating {
-  double value = 0.0;                ///< in [0, 4]
+  double value = 0.0;  ///< in [0, 4]
   std::string term;
-  bool significant = true;           ///< false: pressure explains nothing here, `value` is the trial's mean
-  bool extrapolated = false;         ///< the pressure lies outside the trial's range
+  bool significant = true;    ///< false: pressure explains nothing here, `value` is the trial's mean
+  bool extrapolated = false;  ///< the pressure lies outside the trial's range
 };
 
 /// The curve at a pressure in Pa. Where the slope is not significant the line is not used: its sign is chance, and
@@ -44,7 +44,7 @@ Rating rate(const SensationCurve& curve, double pressure);
 
 /// Curves of a trial, one a location, in the order in which the table first names them.
 struct SensationCurves {
-  std::string source;                ///< "wear trial 2002" or the file
+  std::string source;  ///< "wear trial 2002" or the file
   std::vector<SensationCurve> curves;
   /// The curve of a location (upper and lower case are the same); nullptr when the trial has none.
   const SensationCurve* find(std::string_view location) const;

@@ -43,12 +43,16 @@ double area_density(const std::array<int, 9>& facet, const Points& positions, do
 /// Sums over the samples: what the transfer needs of them.
 struct Sums {
   explicit Sums(std::size_t nodes)
-      : force(Eigen::VectorXd::Zero(nodes)), lumped(force), covered(force), near_force(force), near_area(force),
+      : force(Eigen::VectorXd::Zero(nodes)),
+        lumped(force),
+        covered(force),
+        near_force(force),
+        near_area(force),
         mass(nodes, nodes) {}
-  Eigen::VectorXd force;              ///< sum of force N_j
-  Eigen::VectorXd lumped;             ///< sum of area N_j; may be negative on a hem
-  Eigen::VectorXd covered;            ///< sum of area hat_j >= 0
-  Eigen::VectorXd near_force, near_area;  ///< sums of force |N_j| and area |N_j| over samples with an area
+  Eigen::VectorXd force;                              ///< sum of force N_j
+  Eigen::VectorXd lumped;                             ///< sum of area N_j; may be negative on a hem
+  Eigen::VectorXd covered;                            ///< sum of area hat_j >= 0
+  Eigen::VectorXd near_force, near_area;              ///< sums of force |N_j| and area |N_j| over samples with an area
   Eigen::SparseMatrix<double, Eigen::RowMajor> mass;  ///< sum of area N_i N_j
   double total_force = 0.0;
 };

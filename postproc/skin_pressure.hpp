@@ -24,17 +24,17 @@ struct SkinPressure {
 /// Biquadratic shape functions of a skin facet at (xi, eta) in [-1, 1]^2, tensor order: N of node (i, j) at 3 j + i.
 std::array<double, 9> biquadratic(double xi, double eta);
 
-/// Area of each node's part of the skin, m2: integral of the bilinear hat on the 3 x 3 nodes of each facet. The hats are
-/// positive and sum to one, unlike the biquadratic functions, whose negative lobes make a poor measure of area.
+/// Area of each node's part of the skin, m2: integral of the bilinear hat on the 3 x 3 nodes of each facet. The hats
+/// are positive and sum to one, unlike the biquadratic functions, whose negative lobes make a poor measure of area.
 std::vector<double> nodal_areas(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,
                                 const std::vector<Eigen::Vector3d>& positions);
 
 /// Consistent transfer of the samples' forces to nodal pressure: p_j = f_j / sum_q area_q N_j, then `sweeps` Richardson
 /// sweeps p += D^-1 (f - M p) towards the solution with the consistent mass M_ij = sum_q area_q N_i N_j.
-/// D is the lumped mass; at nodes on a hem, where that is small or negative, half the absolute row sum of M replaces it,
-/// which bounds every sweep. A uniform pressure comes back exactly whatever the samples.
-/// `positions`: deformed, m, one a node. Samples with facet < 0 carry nothing. Throws std::out_of_range on a bad facet.
-/// Source: lumped-to-consistent iteration as in Donea, IJNME 20 (1984), Taylor-Galerkin.
+/// D is the lumped mass; at nodes on a hem, where that is small or negative, half the absolute row sum of M replaces
+/// it, which bounds every sweep. A uniform pressure comes back exactly whatever the samples. `positions`: deformed, m,
+/// one a node. Samples with facet < 0 carry nothing. Throws std::out_of_range on a bad facet. Source:
+/// lumped-to-consistent iteration as in Donea, IJNME 20 (1984), Taylor-Galerkin.
 SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,
                       const std::vector<Eigen::Vector3d>& positions, const std::vector<ContactSample>& samples,
                       int sweeps = 2);

@@ -87,7 +87,9 @@ Json unknowns_json(const RunResult& run) {
 Json residuals_json(const RunResult& run) {
   if (run.history.empty()) return Json::object();
   const Iteration& last = run.history.back();
-  return {{"residual", last.residual}, {"complementarity", last.complementarity}, {"load", last.load},
+  return {{"residual", last.residual},
+          {"complementarity", last.complementarity},
+          {"load", last.load},
           {"contact_nodes", last.contact_nodes}};
 }
 
@@ -126,7 +128,8 @@ void add_evaluation(Json& json, const Evaluation& evaluation) {
 
 }  // namespace
 
-void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation, const Provenance& provenance) {
+void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation,
+                   const Provenance& provenance) {
   Json json;
   add_outcome(json, run);
   add_evaluation(json, evaluation);

@@ -35,9 +35,9 @@ void write_locations(std::ostream& out, const Evaluation& evaluation) {
 void write_history(std::ostream& out, const RunResult& run) {
   out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,seconds,event\n";
   for (const Iteration& row : run.history)
-    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{:.9g},{:.3f},{}\n", row.increment, row.load, row.iteration,
-               row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, row.energy, row.seconds,
-               csv_cell(row.event));
+    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{:.9g},{:.3f},{}\n", row.increment, row.load,
+               row.iteration, row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, row.energy,
+               row.seconds, csv_cell(row.event));
 }
 
 }  // namespace snug::postproc

@@ -15,9 +15,9 @@ enum class Extrema { none, range, range_and_absolute };
 
 /// A nodal listing: one row a node, values by column.
 struct Listing {
-  std::vector<std::string> heading;         ///< lines above the labels
+  std::vector<std::string> heading;  ///< lines above the labels
   std::vector<std::string> labels;
-  std::vector<std::vector<double>> rows;    ///< rows[n] belongs to node n + 1
+  std::vector<std::vector<double>> rows;  ///< rows[n] belongs to node n + 1
   Extrema extrema = Extrema::range;
 };
 
@@ -32,8 +32,8 @@ std::string ansys_number(double value);
 /// Rows of node number (7 wide) and values (13 wide), then minima and maxima with their nodes.
 void write_listing(std::ostream& out, const Listing& listing);
 
-void write_locations(std::ostream& out, const Evaluation& evaluation);    ///< locations.csv: Pa, gf/cm2, mmHg
-void write_history(std::ostream& out, const RunResult& run);              ///< history.csv: one row a Newton iteration
+void write_locations(std::ostream& out, const Evaluation& evaluation);  ///< locations.csv: Pa, gf/cm2, mmHg
+void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration
 
 /// `text` in quotes where a comma, quote or line end in it asks for them.
 std::string csv_cell(const std::string& text);

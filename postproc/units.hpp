@@ -1,4 +1,5 @@
-// Units of clothing pressure. Inside snug every pressure is in Pa; these appear only where people read and write numbers.
+// Units of clothing pressure. Inside snug every pressure is in Pa; these appear only where people read and write
+// numbers.
 #pragma once
 
 namespace snug::postproc {

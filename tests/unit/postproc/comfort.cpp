@@ -39,7 +39,9 @@ TEST(Fuzzy, MembershipsAndFiringsOfTheWorkedExample) {
 TEST(Fuzzy, CentroidOfTheWorkedExample) {
   // Midpoint sums converge to the centroid (n = 100001 of the book) with the square of the width, as its trapezoidal
   // rule does; with 1001 intervals they are within 1e-5, with 100001 within 1e-8.
-  struct Check { double p, s, centroid; };
+  struct Check {
+    double p, s, centroid;
+  };
   for (const auto& [p, s, centroid] : {Check{1.6, 3.0, 5.1167038760}, {3.2, 7.0, 2.6071268859}, {0.2, 9.0, 5.0}}) {
     EXPECT_NEAR(infer(worked_example(1001), {p, s}).score, centroid, 1e-5);
     EXPECT_NEAR(infer(worked_example(100001), {p, s}).score, centroid, 1e-8);
@@ -84,7 +86,8 @@ TEST(Comfort, TellsWhichRulesFired) {
 }
 
 TEST(Comfort, MoreSensationNeverScoresBetterFromComfortableOn) {
-  // Among ratings in [1, 4], where the rules are monotone, raising any one never lowers the score (grows with discomfort).
+  // Among ratings in [1, 4], where the rules are monotone, raising any one never lowers the score (grows with
+  // discomfort).
   std::mt19937 random(3);
   std::uniform_real_distribution<double> rating(1.0, 4.0);
   for (int trial = 0; trial < 200; ++trial) {

@@ -91,7 +91,8 @@ TEST(Sensation, PressuresOutsideTheTrialAreFlaggedAndRatingsStayOnTheScale) {
 
 TEST(Sensation, CurvesOfAFileMayComeInAnyUnit) {
   // The same line given in Pa, gf/cm2 and mmHg gives the same rating.
-  const auto in_pascal = written("pa.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1000,1\ncalf,2000,2\n");
+  const auto in_pascal =
+      written("pa.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1000,1\ncalf,2000,2\n");
   const auto in_head = written("head.csv", "location,pressure [kPa],sensation_rating\ncalf,0,0\ncalf,1,1\ncalf,2,2\n");
   for (const auto& file : {in_pascal, in_head}) {
     input::ComfortSpec spec;
@@ -113,7 +114,8 @@ TEST(Sensation, WrongTablesAreErrorsWithFileAndRemedy) {
   EXPECT_THROW(load(written("b.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,1\n").string()),
                input::InputError);
   EXPECT_THROW(load(written("c.csv", "location,sensation_rating\ncalf,0\n").string()), input::InputError);
-  EXPECT_THROW(load(written("d.csv", "location,pressure_Pa,sensation_rating\ncalf,nan,0\n").string()), input::InputError);
+  EXPECT_THROW(load(written("d.csv", "location,pressure_Pa,sensation_rating\ncalf,nan,0\n").string()),
+               input::InputError);
   EXPECT_THROW(load("wear trial 1999"), input::InputError);
 }
 

@@ -77,7 +77,8 @@ TEST(SkinPressure, BiquadraticFunctionsInterpolateTheNodesAndSumToOne) {
 }
 
 TEST(SkinPressure, NodalAreasSumToTheAreaOfTheDeformedSurface) {
-  // A sheared and stretched flat patch has the area 2 * 3; corner, edge and centre shares are 1/16, 1/8 and 1/4 of a facet.
+  // A sheared and stretched flat patch has the area 2 * 3; corner, edge and centre shares are 1/16, 1/8 and 1/4 of a
+  // facet.
   Patch one = patch(1);
   for (auto& x : one.nodes) x = {2 * x.x() + 0.7 * x.y(), 3 * x.y(), 0};
   const auto areas = nodal_areas(one.facets, one.nodes.size(), one.nodes);
@@ -92,11 +93,14 @@ TEST(SkinPressure, UniformPressureIsExactOnIrregularSamplesAndPartialCover) {
   const Patch skin = patch(6);
   for (double hem : {2.0, 0.55, 0.34, 0.501})
     for (int sweeps : {0, 1, 2, 5}) {
-      const auto samples = samples_of(6, 4, [](double, double) { return 2000.0; }, hem);
+      const auto samples = samples_of(
+          6, 4, [](double, double) { return 2000.0; }, hem);
       const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, sweeps);
       for (std::size_t n = 0; n < skin.nodes.size(); ++n) {
-        if (result.coverage[n] >= 0.05) EXPECT_NEAR(result.pressure[n], 2000.0, 1e-6);
-        else EXPECT_EQ(result.pressure[n], 0.0);
+        if (result.coverage[n] >= 0.05)
+          EXPECT_NEAR(result.pressure[n], 2000.0, 1e-6);
+        else
+          EXPECT_EQ(result.pressure[n], 0.0);
       }
     }
 }
@@ -104,7 +108,8 @@ TEST(SkinPressure, UniformPressureIsExactOnIrregularSamplesAndPartialCover) {
 TEST(SkinPressure, NodalForcesAndCoveredAreasConserveTheSamples) {
   // The sum of the nodal forces is the sum of the point forces, also where the hem cuts facets; so is the area.
   const Patch skin = patch(5, 0.2);
-  const auto samples = samples_of(5, 4, [](double x, double y) { return 900 + 800 * std::sin(5 * x) * y; }, 0.47);
+  const auto samples = samples_of(
+      5, 4, [](double x, double y) { return 900 + 800 * std::sin(5 * x) * y; }, 0.47);
   const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples);
   EXPECT_NEAR(total(result.force), total_force(samples), 1e-12 * total_force(samples));
   double area = 0.0;
@@ -116,7 +121,8 @@ TEST(SkinPressure, NodalForcesAndCoveredAreasConserveTheSamples) {
 TEST(SkinPressure, FullCoverLosesNoForceInTheSweeps) {
   // Inside full cover the returned pressure carries the whole force, with and without sweeps.
   const Patch skin = patch(6);
-  const auto samples = samples_of(6, 4, [](double x, double y) { return 1000 + 300 * x + 200 * y; }, 2.0, 0.5);
+  const auto samples = samples_of(
+      6, 4, [](double x, double y) { return 1000 + 300 * x + 200 * y; }, 2.0, 0.5);
   for (int sweeps : {0, 2}) {
     const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, sweeps);
     EXPECT_LT(std::abs(result.lost_force), 1e-3 * total_force(samples)) << sweeps;
@@ -126,7 +132,8 @@ TEST(SkinPressure, FullCoverLosesNoForceInTheSweeps) {
 double rms_error(int n, int sweeps, double jitter) {
   const Pressure smooth = [](double x, double y) { return 2000 + 600 * std::sin(4 * x) * std::cos(3 * y); };
   const Patch skin = patch(n);
-  const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples_of(n, 4, smooth, 2.0, jitter), sweeps);
+  const auto result =
+      transfer(skin.facets, skin.nodes.size(), skin.nodes, samples_of(n, 4, smooth, 2.0, jitter), sweeps);
   double squares = 0.0;
   for (std::size_t k = 0; k < skin.nodes.size(); ++k)
     squares += std::pow(result.pressure[k] / smooth(skin.nodes[k].x(), skin.nodes[k].y()) - 1, 2);
@@ -145,10 +152,12 @@ TEST(SkinPressure, SweepsTowardsTheConsistentMassImproveASmoothField) {
 }
 
 TEST(SkinPressure, SweepsStayBoundedOnAHemThatCutsFacets) {
-  // However the hem cuts, no nodal pressure leaves the neighbourhood of the applied 1000 to 1500 Pa, even after many sweeps.
+  // However the hem cuts, no nodal pressure leaves the neighbourhood of the applied 1000 to 1500 Pa, even after many
+  // sweeps.
   const Patch skin = patch(6);
   for (double hem = 0.3; hem < 0.7; hem += 0.0137) {
-    const auto samples = samples_of(6, 4, [](double x, double) { return 1000 + 500 * x; }, hem);
+    const auto samples = samples_of(
+        6, 4, [](double x, double) { return 1000 + 500 * x; }, hem);
     const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, 20);
     for (std::size_t n = 0; n < skin.nodes.size(); ++n) {
       if (result.coverage[n] < 0.05) continue;

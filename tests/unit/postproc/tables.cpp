@@ -1,0 +1,232 @@
+#include "postproc/tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+
+#include "cases/input/csv.hpp"
+#include "postproc/recorders.hpp"
+#include "postproc/stress.hpp"
+#include "tests/unit/postproc/scene.hpp"
+
+namespace snug::postproc {
+namespace {
+
+using test::fresh_folder;
+using test::run_scene;
+using test::text_of;
+
+input::ComfortSpec trial() {
+  input::ComfortSpec spec;
+  spec.curves.name = "wear trial 2002";
+  return spec;
+}
+
+constexpr double five_digits = 5.1e-5;  // relative rounding of a listing
+
+/// Rows of a listing read without relying on blanks: node number, then numbers in the forms that Ansys prints.
+std::vector<std::vector<double>> rows_of(const std::string& text, std::size_t columns) {
+  static const std::regex number(R"([+-]?(\d+\.\d*|\.\d+)([Ee][+-]?\d+)?)"), start(R"(^\s*(\d+)\s(.*)$)");
+  std::vector<std::vector<double>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch found;
+    if (!std::regex_match(line, found, start)) continue;
+    const std::string values = found[2];
+    std::vector<double> row = {std::stod(found[1])};
+    for (std::sregex_iterator at(values.begin(), values.end(), number), end; at != end; ++at)
+      row.push_back(std::stod(at->str()));
+    if (row.size() == columns + 1) rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(Listing, NumbersLookLikeFortransG13) {
+  // Fixed between 0.1 and 1e5, exponents outside, five digits, thirteen characters, also at the rounding edges.
+  EXPECT_EQ(ansys_number(0.0), "   0.0000    ");
+  EXPECT_EQ(ansys_number(12.345), "   12.345    ");
+  EXPECT_EQ(ansys_number(-1.5), "  -1.5000    ");
+  EXPECT_EQ(ansys_number(-99999.0), "  -99999.    ");
+  EXPECT_EQ(ansys_number(0.1), "  0.10000    ");
+  EXPECT_EQ(ansys_number(0.0999999), "  0.10000    ");
+  EXPECT_EQ(ansys_number(0.099999), "  0.99999E-01");
+  EXPECT_EQ(ansys_number(99999.96), "  0.10000E+06");
+  EXPECT_EQ(ansys_number(-1.5152e-12), " -0.15152E-11");
+  EXPECT_EQ(ansys_number(7.414e6), "  0.74140E+07");
+  EXPECT_EQ(ansys_number(1e-120), "   0.0000    ");
+  EXPECT_EQ(ansys_number(1e120), "*************");
+  EXPECT_EQ(ansys_number(std::numeric_limits<double>::quiet_NaN()), "          NaN");
+}
+
+TEST(Listing, DisplacementsParseBackWithTheirExtrema) {
+  // Every node's UX UY UZ USUM comes back to five digits; the extrema name node 45, 1 and 8.
+  const BodyResult body = test::body_scene();
+  std::ostringstream out;
+  write_listing(out, displacement_listing(body));
+  const auto rows = rows_of(out.str(), 4);
+  ASSERT_EQ(rows.size(), body.nodes.size());
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    EXPECT_EQ(rows[n][0], n + 1.0);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(rows[n][1 + c], body.displacement[n][c], five_digits * std::abs(body.displacement[n][c]));
+    EXPECT_NEAR(rows[n][4], body.displacement[n].norm(), five_digits * body.displacement[n].norm());
+  }
+  EXPECT_NE(out.str().find("DEGREE OF FREEDOM LISTING"), std::string::npos);
+  const std::regex tail(
+      R"( MAXIMUM ABSOLUTE VALUES\n NODE +45 +45 +8 +8\n VALUE +0\.44000E-01 +-0\.88000E-03 +0\.25000 +0\.25010 *\n)");
+  EXPECT_TRUE(std::regex_search(out.str(), tail)) << out.str();
+  EXPECT_NE(out.str().find(" MINIMUM VALUES\n"), std::string::npos);
+}
+
+TEST(Listing, StressesParseBack) {
+  // S1 S2 S3 SINT SEQV of every node come back to five digits.
+  const BodyResult body = test::body_scene();
+  std::ostringstream out;
+  write_listing(out, stress_listing(body));
+  const auto rows = rows_of(out.str(), 5);
+  ASSERT_EQ(rows.size(), body.nodes.size());
+  for (std::size_t n = 0; n < rows.size(); ++n) {
+    const Eigen::Vector3d s = principal_stresses(body.cauchy_stress[n]);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(rows[n][1 + c], s[c], five_digits * std::abs(s[c]));
+    EXPECT_NEAR(rows[n][4], s[0] - s[2], five_digits * (s[0] - s[2]));
+    EXPECT_NEAR(rows[n][5], von_mises(body.cauchy_stress[n]), five_digits * von_mises(body.cauchy_stress[n]));
+  }
+}
+
+TEST(Listing, CoordinatesParseBack) {
+  // nodes.lis gives each node's reference position to five digits.
+  const BodyResult body = test::body_scene();
+  std::ostringstream out;
+  write_listing(out, node_listing(body));
+  const auto rows = rows_of(out.str(), 3);
+  ASSERT_EQ(rows.size(), body.nodes.size());
+  for (std::size_t n = 0; n < rows.size(); ++n)
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(rows[n][1 + c], body.nodes[n][c], 1e-6);
+}
+
+TEST(Stress, InvariantsOfKnownStates) {
+  // Uniaxial 5: von Mises 5. Pure shear 2: principal 2, 0, -2 and von Mises 2 sqrt 3. Pressure alone: von Mises 0.
+  EXPECT_NEAR(von_mises((Stress() << 5, 0, 0, 0, 0, 0).finished()), 5, 1e-14);
+  for (int shear = 3; shear < 6; ++shear) {
+    const Stress stress = 2 * Stress::Unit(shear);
+    EXPECT_NEAR(von_mises(stress), 2 * std::sqrt(3.0), 1e-14);
+    EXPECT_NEAR((principal_stresses(stress) - Eigen::Vector3d(2, 0, -2)).norm(), 0, 1e-14);
+  }
+  EXPECT_NEAR(von_mises((Stress() << -7, -7, -7, 0, 0, 0).finished()), 0, 1e-14);
+}
+
+TEST(Evaluate, MeanIsWeightedByCoveredArea) {
+  // A location half covered at 100 Pa and half at 300 Pa has the mean of its areas; without cover it has no rating.
+  RunResult run = run_scene();
+  for (std::size_t n = 30; n < 45; ++n) run.body.contact_pressure[n] = n < 35 ? 100 : 300;  // rows j = 0, 1, 2
+  run.body.displacement.assign(45, Eigen::Vector3d::Zero());
+  const Evaluation evaluation = evaluate(run, trial());
+  const LocationRow& front = evaluation.locations[0];
+  // Rows j = 0 and 2 have a quarter of the height each, row 1 half of it.
+  EXPECT_NEAR(front.mean_pressure, 0.25 * 100 + 0.75 * 300, 1e-6);
+  EXPECT_DOUBLE_EQ(front.max_pressure, 300);
+  EXPECT_DOUBLE_EQ(front.coverage, 1.0);
+  EXPECT_TRUE(front.rating.has_value());
+  const LocationRow& side = evaluation.locations[1];
+  EXPECT_EQ(side.coverage, 0.0);
+  EXPECT_EQ(side.mean_pressure, 0.0);
+  EXPECT_FALSE(side.rating.has_value());
+  // Both patches together are the outer surface: 0.8 rad at radius 0.06 m, 0.04 m high.
+  EXPECT_NEAR(front.area + side.area, 0.8 * 0.06 * 0.04, 1e-7);
+  ASSERT_TRUE(evaluation.comfort.has_value());
+  EXPECT_EQ(evaluation.comfort->memberships.size(), 1u);
+}
+
+TEST(Evaluate, WithoutAComfortSectionNothingIsRated) {
+  // Pressures are still given by location.
+  const Evaluation evaluation = evaluate(run_scene(), std::nullopt);
+  EXPECT_EQ(evaluation.locations.size(), 2u);
+  EXPECT_FALSE(evaluation.locations[0].rating.has_value());
+  EXPECT_FALSE(evaluation.comfort.has_value());
+}
+
+TEST(Recorders, AFullSceneLeavesEveryFileAndNothingHalfWritten) {
+  // Each recorder's file is there and no file written aside remains.
+  const auto out = fresh_folder("full");
+  const RunResult run = run_scene();
+  write_results(run, evaluate(run, trial()), out,
+                {.versions = {{"snug", "0.1.0"}}, .input_hashes = {}, .mesh_quality = {}});
+  for (const Recorder& recorder : recorders())
+    EXPECT_TRUE(std::filesystem::exists(out / recorder.file)) << recorder.file;
+  for (const auto& file : std::filesystem::directory_iterator(out)) EXPECT_NE(file.path().extension(), ".part");
+  EXPECT_NE(text_of(out / "body.pvd").find("file=\"body_0000.vtu\""), std::string::npos);
+}
+
+TEST(Recorders, WhatTheSceneDoesNotHaveLeavesNoFileOfAnEarlierRun) {
+  // Without garment and comfort section their files are absent, also when an earlier run wrote them there.
+  const auto out = fresh_folder("less");
+  RunResult run = run_scene();
+  write_results(run, evaluate(run, trial()), out);
+  run.garment = {};
+  write_results(run, evaluate(run, std::nullopt), out);
+  for (const char* file : {"garment.pvd", "garment_0000.vtu", "comfort.json"})
+    EXPECT_FALSE(std::filesystem::exists(out / file)) << file;
+  EXPECT_TRUE(std::filesystem::exists(out / "summary.json"));
+}
+
+TEST(Recorders, SummaryIsJsonWithoutNaN) {
+  // A value that was not computed is null; status, unknowns, numbers and versions come back.
+  const auto out = fresh_folder("summary");
+  RunResult run = run_scene();
+  run.max_penetration = std::numeric_limits<double>::quiet_NaN();
+  run.numbers["not_computed"] = std::numeric_limits<double>::infinity();
+  write_results(run, evaluate(run, trial()), out,
+                {.versions = {{"snug", "0.1.0"}}, .input_hashes = {}, .mesh_quality = {}});
+  const auto json = nlohmann::json::parse(text_of(out / "summary.json"));
+  EXPECT_EQ(json["status"], "converged");
+  EXPECT_TRUE(json["max_penetration_m"].is_null());
+  EXPECT_TRUE(json["numbers"]["not_computed"].is_null());
+  EXPECT_EQ(json["numbers"]["mean_contact_pressure_Pa"], 300.0);
+  EXPECT_EQ(json["unknowns"]["total"], 162);
+  EXPECT_EQ(json["versions"]["snug"], "0.1.0");
+  EXPECT_EQ(json["residuals"]["residual"], 3e-8);
+  EXPECT_EQ(json["plan"]["out"].size(), 1u);
+  EXPECT_EQ(json["locations"].size(), 2u);
+  EXPECT_TRUE(json["locations"][1]["rating"].is_null());
+  EXPECT_TRUE(json["mesh_quality"].is_object());
+}
+
+TEST(Recorders, ComfortNamesMembershipsRulesScoreAndTerm) {
+  // comfort.json carries what the fuzzy system did, as score --json does.
+  const auto out = fresh_folder("comfort");
+  const RunResult run = run_scene();
+  const Evaluation evaluation = evaluate(run, trial());
+  write_results(run, evaluation, out);
+  const auto json = nlohmann::json::parse(text_of(out / "comfort.json"));
+  EXPECT_DOUBLE_EQ(json["score"], evaluation.comfort->score);
+  EXPECT_EQ(json["term"], evaluation.comfort->term);
+  EXPECT_EQ(json["rules"].size(), 3u);
+  EXPECT_TRUE(json["memberships"][0]["degrees"].contains("very uncomfortable"));
+  const auto printed = nlohmann::json::parse(evaluation_json(evaluation));
+  EXPECT_EQ(printed["locations"][0]["location"], "Front thigh");
+  EXPECT_EQ(printed["comfort"]["score"], json["score"]);
+}
+
+TEST(Recorders, CsvTablesReadBackInEveryUnit) {
+  // locations.csv repeats one pressure in Pa, gf/cm2 and mmHg; history.csv has one row an iteration.
+  const auto out = fresh_folder("csv");
+  const RunResult run = run_scene();
+  write_results(run, evaluate(run, trial()), out);
+  input::Diagnostics diagnostics;
+  const auto locations = input::read_csv(out / "locations.csv", diagnostics);
+  const double pascal = input::numbers(locations, "mean_pressure_Pa", "", diagnostics).at(0);
+  EXPECT_NEAR(pascal, 300, 1e-3);
+  EXPECT_NEAR(input::numbers(locations, "mean_pressure_gf_per_cm2", "", diagnostics).at(0), 300 / 98.0665, 1e-5);
+  EXPECT_NEAR(input::numbers(locations, "mean_pressure_mmHg", "", diagnostics).at(0), 300 / 133.322387415, 1e-5);
+  const auto history = input::read_csv(out / "history.csv", diagnostics);
+  EXPECT_EQ(history.rows.size(), 2u);
+  EXPECT_EQ(input::texts(history, "event", diagnostics).at(0), "refactored, again");
+  EXPECT_FALSE(diagnostics.any());
+}
+
+}  // namespace
+}  // namespace snug::postproc
