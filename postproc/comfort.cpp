@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 #include "postproc/sensation.hpp"
@@ -12,8 +12,11 @@
 //  - bells of the sensations: centres at the marks 0 ... 4 of the scale, half width 0.5, so that neighbours cross at
 //  1/2
 //    midway between their marks; exponent 2b = 5;
-//  - bells of the comfort: three terms over [0, 4] in the order of growing discomfort (table 5.3 lists them in another
-//    order and gives no places), half width 1, the same exponent;
+//  - bells of the comfort: three terms at 0, 2 and 4 of [0, 4] in the order of growing discomfort (table 5.3 lists them
+//  in
+//    another order and gives no places). Half widths 1.5, 0.5, 1.5 make neighbours cross at 1/2 (at 1.5 and 2.5). They
+//    also make "comfortable" outweigh "acceptable" where both rules hold fully, so that a garment whose every location
+//    is comfortable is called comfortable; with equal widths the half bell at the edge would lose;
 //  - "or" between terms of one location is the bounded sum. With the maximum, "uncomfortable or worse" would hold only
 //  by
 //    half between two marks, and a rating of 2.5 would score better than 2; with the bounded sum it holds fully from 2
@@ -38,9 +41,10 @@ FuzzyVariable sensation(const std::string& name) {
 }
 
 FuzzyVariable overall() {
+  const std::array half_widths = {1.5, 0.5, 1.5};
   FuzzyVariable variable{"RP", 0.0, 4.0, {}};
   for (std::size_t t = 0; t < comfort_terms.size(); ++t)
-    variable.terms.push_back({comfort_terms[t], 2.0 * t, 1.0, exponent});
+    variable.terms.push_back({comfort_terms[t], 2.0 * t, half_widths[t], exponent});
   return variable;
 }
 
@@ -93,7 +97,8 @@ Comfort judge(const std::vector<std::pair<std::string, double>>& ratings) {
 
   Comfort comfort;
   comfort.score = answer.score;
-  comfort.term = comfort_terms[std::lround(answer.score / 2)];
+  const auto& degrees = answer.output_memberships;
+  comfort.term = comfort_terms[std::max_element(degrees.begin(), degrees.end()) - degrees.begin()];
   for (std::size_t mark = 0; mark < sensation_ids.size(); ++mark)
     comfort.sensation_terms.push_back(sensation_term(mark));
   for (std::size_t i = 0; i < ratings.size(); ++i)

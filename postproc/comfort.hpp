@@ -22,7 +22,7 @@ struct FiredRule {
 
 struct Comfort {
   double score = 0.0;  ///< [0, 4], grows with discomfort: 0 comfortable, 2 acceptable, 4 uncomfortable
-  std::string term;    ///< comfortable | acceptable | uncomfortable: the output term nearest to the score
+  std::string term;    ///< comfortable | acceptable | uncomfortable: the output term the score belongs to most
   std::vector<std::string> sensation_terms;  ///< neutral ... extremely uncomfortable
   std::vector<LocationMembership> memberships;
   std::vector<FiredRule> rules;                                    ///< every rule with its strength

@@ -70,7 +70,8 @@ TEST(Comfort, RulesOfTable54) {
   EXPECT_EQ(judge(everywhere(4.0)).term, "uncomfortable");
   EXPECT_EQ(judge(one_bad).term, "uncomfortable");
   EXPECT_EQ(judge(everywhere(0.0)).term, "acceptable");
-  EXPECT_LT(judge(everywhere(1.0)).score, judge(everywhere(0.0)).score);
+  EXPECT_EQ(judge(everywhere(1.0)).term, "comfortable");
+  EXPECT_EQ(judge(everywhere(1.0, 9)).term, "comfortable");
 }
 
 TEST(Comfort, TellsWhichRulesFired) {

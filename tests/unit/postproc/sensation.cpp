@@ -128,5 +128,24 @@ TEST(Score, ReadsPressuresInThreeUnitsAndRefusesALocationTwice) {
   EXPECT_THROW(read_pressures(written("i.csv", "location,pressure_Pa\nChest,-1\n")), input::InputError);
 }
 
+TEST(Score, RatesMeasuredPressuresWithoutMechanics) {
+  // Garment 1 of table 5.5: nine ratings and one comfort over all; a table without a known location is an error.
+  const auto file = std::filesystem::path(SNUG_SOURCE_DIR) / "postproc/data/wear_trial_2002.csv";
+  input::Diagnostics diagnostics;
+  const input::Csv table = input::read_csv(file, diagnostics);
+  input::ComfortSpec spec;
+  spec.curves.name = "wear trial 2002";
+  std::vector<LocationPressure> garment;
+  for (int row = 0; row < 9; ++row)
+    garment.push_back({table.rows[row].cells[1], from_gf_cm2(std::stod(table.rows[row].cells[2]))});
+  const Evaluation evaluation = score(garment, spec);
+  ASSERT_EQ(evaluation.locations.size(), 9u);
+  EXPECT_NEAR(*evaluation.locations[0].rating, 0.66, 0.005);
+  EXPECT_EQ(evaluation.locations[0].term, "comfortable");
+  EXPECT_FALSE(evaluation.locations[8].significant);
+  EXPECT_EQ(evaluation.comfort->memberships.size(), 9u);
+  EXPECT_THROW(score({{"left ear", 100.0}}, spec), input::InputError);
+}
+
 }  // namespace
 }  // namespace snug::postproc
