@@ -1,0 +1,72 @@
+// Cylinders with sleeves, described in code: the scenes whose answers are exact.
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "cases/input/case.hpp"
+#include "solver/scene/run.hpp"
+
+namespace snug::tests {
+
+/// A cylindrical limb with a rigid bone, tissue, and a sleeve as long as the limb whose ends are held along the axis.
+struct TubeCase {
+  double bone = 0.020, radius = 0.055, length = 0.060;           ///< m
+  double sleeve = 0.044;                                          ///< m, rest radius
+  std::string tissue = "law = 'neo-Hooke'\nshear_modulus = '10 kPa'\npoisson_ratio = 0.49";
+  std::string fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
+  int around = 16, along = 4, through = 2;
+  double cell_size = 0.0;                                         ///< m, garment; 0: as the skin
+  std::string tier = "L4", basis = "hat";
+};
+
+inline std::filesystem::path write_stations(const TubeCase& tube) {
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("snug-tube-" + std::to_string(::getpid()) + "-" + std::to_string(tube.radius) + ".csv");
+  std::ofstream out(path);
+  out.precision(17);
+  out << "height [m], girth [m], bone_girth [m]\n";
+  for (const double z : {0.0, 0.5 * tube.length, tube.length})
+    out << z << ", " << 2.0 * std::numbers::pi * tube.radius << ", " << 2.0 * std::numbers::pi * tube.bone << "\n";
+  return path;
+}
+
+inline input::Case describe_tube(const TubeCase& tube) {
+  input::Case c;
+  c.title = "tube";
+  c.body.emplace();
+  c.body->stations = write_stations(tube);
+  input::LayerSpec bone, tissue;
+  bone.name = "bone", bone.material.name = "rigid", bone.form = "rigid";
+  tissue.name = "tissue", tissue.material.table = tube.tissue, tissue.cells = tube.through;
+  c.body->layers = {bone, tissue};
+  c.body->cells_around = tube.around, c.body->cells_along = tube.along;
+  c.garment.emplace();
+  c.garment->pattern.flat_circumference = 2.0 * std::numbers::pi * tube.sleeve;
+  c.garment->pattern.length = tube.length;
+  c.garment->fabric.table = tube.fabric;
+  c.garment->cell_size = tube.cell_size;
+  c.garment->held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
+  c.contact.emplace();
+  c.contact->basis = tube.basis;
+  c.solver.tier = tube.tier;
+  return c;
+}
+
+inline solver::Meshes make_meshes(const input::Case& c) {
+  solver::Meshes meshes;
+  meshes.limb = mesh::make_limb(*c.body);
+  meshes.body = mesh::make_body_mesh(*c.body, meshes.limb);
+  if (c.garment) meshes.garment = mesh::make_garment_mesh(*c.garment, meshes.limb, meshes.body.mean_skin_cell);
+  return meshes;
+}
+
+inline postproc::RunResult run(const TubeCase& tube) {
+  const input::Case c = describe_tube(tube);
+  return solver::solve(c, make_meshes(c));
+}
+
+}  // namespace snug::tests
