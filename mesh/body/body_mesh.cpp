@@ -1,7 +1,7 @@
 #include "mesh/body/body_mesh.hpp"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>

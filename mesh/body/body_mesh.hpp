@@ -30,16 +30,16 @@ struct BodyMesh {
   /// 27 nodes a cell in tensor order: node (i, j, k) stands at 9 k + 3 j + i; i runs round the body, j along the axis,
   /// k outwards, so that the Jacobian is positive and face k = 2 is the outer one.
   std::vector<std::array<int, 27>> cells;
-  std::vector<int> cell_layer;            ///< index into `layers`
+  std::vector<int> cell_layer;  ///< index into `layers`
   std::vector<Layer> layers;
-  std::vector<SkinMembrane> membranes;    ///< skin as surface membrane (empty or one)
+  std::vector<SkinMembrane> membranes;  ///< skin as surface membrane (empty or one)
   /// Outer surface: 9 nodes a facet in tensor order (node (i, j) at 3 j + i); d/di x d/dj points out of the body.
   std::vector<std::array<int, 9>> skin_facets;
-  std::vector<int> bone_nodes;            ///< on the rigid bone; empty when the bone is not rigid
+  std::vector<int> bone_nodes;                ///< on the rigid bone; empty when the bone is not rigid
   std::vector<int> lower_nodes, upper_nodes;  ///< on the cut planes
-  std::vector<std::string> locations;     ///< names of the skin patches
-  std::vector<int> node_location;         ///< per node: index into `locations`, -1 for none and for nodes inside
-  double mean_skin_cell = 0.0;            ///< m, mean edge length of the skin facets
+  std::vector<std::string> locations;         ///< names of the skin patches
+  std::vector<int> node_location;             ///< per node: index into `locations`, -1 for none and for nodes inside
+  double mean_skin_cell = 0.0;                ///< m, mean edge length of the skin facets
 };
 
 struct QualityRow {
@@ -51,7 +51,8 @@ struct QualityRow {
   double volume = 0.0;  ///< m3
 };
 
-/// Meshes the limb through the gmsh API. Throws input::InputError naming layer, angle and height where a cell would invert.
+/// Meshes the limb through the gmsh API. Throws input::InputError naming layer, angle and height where a cell would
+/// invert.
 BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb);
 
 /// One row a layer; Jacobians sampled at the 27 Gauss points and the 27 nodes.

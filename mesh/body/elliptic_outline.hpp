@@ -10,9 +10,9 @@ namespace snug::mesh {
 
 /// An elliptic section, metres in the frame of the body.
 struct Ellipse {
-  double z = 0.0;                         ///< height
-  double half_width = 0.0;                ///< semi-axis along x
-  double half_depth = 0.0;                ///< semi-axis along y
+  double z = 0.0;           ///< height
+  double half_width = 0.0;  ///< semi-axis along x
+  double half_depth = 0.0;  ///< semi-axis along y
   double centre_x = 0.0, centre_y = 0.0;
 };
 

@@ -8,7 +8,8 @@ namespace snug::mesh {
 
 namespace {
 
-/// Second derivatives of natural cubic splines with equal spacing h: s(n-1) + 4 s(n) + s(n+1) = 6 (second difference)/h^2.
+/// Second derivatives of natural cubic splines with equal spacing h: s(n-1) + 4 s(n) + s(n+1) = 6 (second
+/// difference)/h^2.
 Eigen::MatrixXd natural_second_derivatives(const Eigen::MatrixXd& values, double h) {
   const Eigen::Index last = values.cols() - 1;
   Eigen::MatrixXd second = Eigen::MatrixXd::Zero(values.rows(), values.cols());

@@ -1,7 +1,7 @@
 #include "mesh/body/limb.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -121,10 +121,11 @@ void check_bone_inside(const Limb& limb, const input::Location& where) {
     for (int i = 0; i < turns; ++i) {
       const double turn = static_cast<double>(i) / turns;
       if (inside_section(skin, limb.bone->at(turn, z))) continue;
-      throw input::InputError(where,
-                              fmt::format("the bone is outside the skin at height {:.1f} mm, angle {:.0f} deg (layers cross)",
-                                          1e3 * z, 360.0 * turn),
-                              "make the bone's girth smaller or move its centre towards the middle of the section");
+      throw input::InputError(
+          where,
+          fmt::format("the bone is outside the skin at height {:.1f} mm, angle {:.0f} deg (layers cross)", 1e3 * z,
+                      360.0 * turn),
+          "make the bone's girth smaller or move its centre towards the middle of the section");
     }
   }
 }

@@ -18,7 +18,8 @@ struct OutlinePoint {
 };
 
 /// A closed section outline for every height. Twice continuously differentiable in both arguments, because contact
-/// pressure is tension times curvature. Frame of the body: z along the axis (up), x to the side, y to the front; metres.
+/// pressure is tension times curvature. Frame of the body: z along the axis (up), x to the side, y to the front;
+/// metres.
 class Outline {
  public:
   virtual ~Outline() = default;

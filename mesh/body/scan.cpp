@@ -79,9 +79,10 @@ Eigen::MatrixXd smooth_coefficients(const TrackedSections& sections, double sigm
 std::unique_ptr<Outline> bone_along(const Eigen::MatrixXd& coefficients, const TrackedSections& sections,
                                     const input::BoneSpec& spec, const Location& where) {
   if (!(spec.girth > 0.0) || !(spec.width_to_depth > 0.0))
-    throw InputError(where, fmt::format("the bone has a girth of {:g} mm and a ratio of {:g}", 1e3 * spec.girth,
-                                        spec.width_to_depth),
-                     "write a positive girth and width_to_depth");
+    throw InputError(
+        where,
+        fmt::format("the bone has a girth of {:g} mm and a ratio of {:g}", 1e3 * spec.girth, spec.width_to_depth),
+        "write a positive girth and width_to_depth");
   std::vector<Ellipse> ellipses;
   for (Eigen::Index n = 0; n < coefficients.cols(); ++n)
     ellipses.push_back(ellipse_of_girth(sections.z0 + sections.dz * static_cast<double>(n), spec.girth,

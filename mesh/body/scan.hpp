@@ -6,10 +6,10 @@
 namespace snug::mesh {
 
 /// Builds the limb of `spec.scan`: the surface is turned into the frame of the body and cut horizontally between the
-/// heights of the two planes' points (the planes' normals only have to agree with the body's axis within 20 degrees). The
-/// limb is the section nearest to the lower plane's point, followed upwards. Its radius about a smooth centre line is
-/// filtered round and along with a Gaussian of standard deviation `smoothing_radius / 2` (0: a radius of two cell widths)
-/// and interpolated by Fourier series and cubic splines. The bone is an ellipse that follows the centre line.
+/// heights of the two planes' points (the planes' normals only have to agree with the body's axis within 20 degrees).
+/// The limb is the section nearest to the lower plane's point, followed upwards. Its radius about a smooth centre line
+/// is filtered round and along with a Gaussian of standard deviation `smoothing_radius / 2` (0: a radius of two cell
+/// widths) and interpolated by Fourier series and cubic splines. The bone is an ellipse that follows the centre line.
 /// Limb::residual says how far the smooth skin is from the scan.
 /// Throws input::InputError: everything that `read_scan` and `track_sections` refuse, a section that is not star-shaped
 /// about the centre line, a bone of no girth or outside the skin.

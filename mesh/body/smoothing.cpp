@@ -16,7 +16,8 @@ Eigen::VectorXd local_line_weights(Eigen::Index n, Eigen::Index columns, double 
   }
   const double s0 = gauss.sum(), s1 = gauss.dot(distance), s2 = gauss.dot(distance.cwiseAbs2());
   const double determinant = s0 * s2 - s1 * s1;
-  if (determinant <= 1e-12 * s0 * dz * dz) return Eigen::VectorXd::Unit(columns, n);  // sigma far below dz: no smoothing
+  if (determinant <= 1e-12 * s0 * dz * dz)
+    return Eigen::VectorXd::Unit(columns, n);  // sigma far below dz: no smoothing
   return gauss.cwiseProduct((s2 - s1 * distance.array()).matrix()) / determinant;
 }
 

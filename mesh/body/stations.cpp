@@ -26,16 +26,15 @@ struct ColumnSpec {
 };
 
 const std::vector<ColumnSpec>& column_specs() {
-  static const std::vector<ColumnSpec> specs = {
-      {"height", "m", {}, false},
-      {"girth", "m", {}, true},
-      {"width_to_depth", "", 1.0, true},
-      {"centre_x", "m", 0.0, false},
-      {"centre_y", "m", 0.0, false},
-      {"bone_girth", "m", {}, true},
-      {"bone_width_to_depth", "", 1.0, true},
-      {"bone_x", "m", 0.0, false},
-      {"bone_y", "m", 0.0, false}};
+  static const std::vector<ColumnSpec> specs = {{"height", "m", {}, false},
+                                                {"girth", "m", {}, true},
+                                                {"width_to_depth", "", 1.0, true},
+                                                {"centre_x", "m", 0.0, false},
+                                                {"centre_y", "m", 0.0, false},
+                                                {"bone_girth", "m", {}, true},
+                                                {"bone_width_to_depth", "", 1.0, true},
+                                                {"bone_x", "m", 0.0, false},
+                                                {"bone_y", "m", 0.0, false}};
   return specs;
 }
 
@@ -91,8 +90,7 @@ Limb limb_from_stations(const input::BodySpec& spec) {
   diagnostics.throw_if_any();
   check_known(csv, diagnostics);
   Columns column;
-  for (const auto& column_spec : column_specs())
-    column[column_spec.name] = read_column(csv, column_spec, diagnostics);
+  for (const auto& column_spec : column_specs()) column[column_spec.name] = read_column(csv, column_spec, diagnostics);
   check_heights(csv, column.at("height"), diagnostics);
   diagnostics.throw_if_any();
   Limb limb{outline_of(column, "girth", "width_to_depth", "centre_x", "centre_y"),

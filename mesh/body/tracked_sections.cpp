@@ -1,7 +1,7 @@
 #include "mesh/body/tracked_sections.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,9 @@ Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where)
 void check_plane(const Eigen::Vector3d& normal, const char* name, const Location& where) {
   const double upright = std::abs(normal.z()) / std::max(normal.norm(), 1e-300);
   if (upright < std::cos(20.0 * std::numbers::pi / 180.0))
-    throw InputError(where, fmt::format("the {} cut plane is tilted by {:.0f} degrees against the body's axis", name,
-                                        std::acos(upright) * 180.0 / std::numbers::pi),
+    throw InputError(where,
+                     fmt::format("the {} cut plane is tilted by {:.0f} degrees against the body's axis", name,
+                                 std::acos(upright) * 180.0 / std::numbers::pi),
                      "give a normal within 20 degrees of the up axis; the cut itself is horizontal");
 }
 
@@ -76,7 +77,8 @@ std::vector<SectionLoop> between(const OrientedScan& scan, double dz, int steps,
     const double z = scan.lower.z() + n * dz;
     const auto next = nearest_loop(scan, z, loops.back().centroid);
     if (!next || !continues(loops.back(), *next))
-      throw InputError(where, fmt::format("the limb ends or joins another part of the body at height {:.1f} mm", 1e3 * z),
+      throw InputError(where,
+                       fmt::format("the limb ends or joins another part of the body at height {:.1f} mm", 1e3 * z),
                        "bring the cut planes closer together, to where the limb stands alone");
     loops.push_back(*next);
   }
@@ -90,7 +92,8 @@ std::vector<SectionLoop> between(const OrientedScan& scan, double dz, int steps,
 }  // namespace
 
 OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
-  if (!(spec.unit > 0.0)) throw InputError(where, fmt::format("the scan's unit is {:g} m", spec.unit), "write unit = \"1 mm\"");
+  if (!(spec.unit > 0.0))
+    throw InputError(where, fmt::format("the scan's unit is {:g} m", spec.unit), "write unit = \"1 mm\"");
   const Eigen::Matrix3d rotation = file_to_body(spec, where);
   const auto turned = [&](const std::array<double, 3>& v) -> Eigen::Vector3d {
     return rotation * Eigen::Vector3d(v[0], v[1], v[2]);
@@ -100,8 +103,9 @@ OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
   OrientedScan scan{read_surface(spec.surface), turned(spec.lower.point), turned(spec.upper.point)};
   for (auto& vertex : scan.surface.vertices) vertex = rotation * (spec.unit * vertex);
   if (!(scan.upper.z() > scan.lower.z()))
-    throw InputError(where, fmt::format("the upper cut plane (height {:.1f} mm) is not above the lower one ({:.1f} mm)",
-                                        1e3 * scan.upper.z(), 1e3 * scan.lower.z()),
+    throw InputError(where,
+                     fmt::format("the upper cut plane (height {:.1f} mm) is not above the lower one ({:.1f} mm)",
+                                 1e3 * scan.upper.z(), 1e3 * scan.lower.z()),
                      "give heights along the up axis, in metres or with a unit");
   check_closed(scan.surface, {spec.surface.string()}, HeightRange{scan.lower.z(), scan.upper.z()});
   return scan;
@@ -110,7 +114,8 @@ OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
 SectionLoop lower_section(const OrientedScan& scan, const Location& where) {
   const auto loop = nearest_loop(scan, scan.lower.z(), scan.lower.head<2>());
   if (loop) return *loop;
-  throw InputError(where, fmt::format("the lower cut plane at height {:.1f} mm misses the surface", 1e3 * scan.lower.z()),
+  throw InputError(where,
+                   fmt::format("the lower cut plane at height {:.1f} mm misses the surface", 1e3 * scan.lower.z()),
                    "check the plane's point, the scan's unit and its up axis");
 }
 

@@ -15,8 +15,9 @@ struct OrientedScan {
   Eigen::Vector3d lower, upper;
 };
 
-/// Reads the surface of `spec` and turns its axes. Throws input::InputError: no such file, up and front not two different
-/// axes, unit not positive, cut planes tilted by more than 20 degrees or in the wrong order, surface open between them.
+/// Reads the surface of `spec` and turns its axes. Throws input::InputError: no such file, up and front not two
+/// different axes, unit not positive, cut planes tilted by more than 20 degrees or in the wrong order, surface open
+/// between them.
 OrientedScan read_scan(const input::ScanSpec& spec, const input::Location& where);
 
 /// Sections at z0 + n dz.
@@ -28,9 +29,10 @@ struct TrackedSections {
 /// Section nearest to the point of the lower cut plane. Throws input::InputError when there is none.
 SectionLoop lower_section(const OrientedScan& scan, const input::Location& where);
 
-/// Follows the limb from its lower to its upper cut plane with a spacing of at most `spacing`, and up to `margin` beyond
-/// both as long as the limb goes on there (smoothing wants neighbours). Throws input::InputError with the height where
-/// the limb joins another part of the body or ends between the planes, or when the planes' points are on different parts.
+/// Follows the limb from its lower to its upper cut plane with a spacing of at most `spacing`, and up to `margin`
+/// beyond both as long as the limb goes on there (smoothing wants neighbours). Throws input::InputError with the height
+/// where the limb joins another part of the body or ends between the planes, or when the planes' points are on
+/// different parts.
 TrackedSections track_sections(const OrientedScan& scan, double spacing, double margin, const input::Location& where);
 
 }  // namespace snug::mesh

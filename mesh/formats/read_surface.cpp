@@ -90,15 +90,16 @@ class VertexFaceReader {
     for (std::size_t n = 0; n < surface_.triangles.size(); ++n)
       for (int vertex : surface_.triangles[n])
         if (vertex < 0 || vertex >= static_cast<int>(surface_.vertices.size()))
-          throw InputError(places_[n], fmt::format("the face names vertex {} of {}", vertex + 1, surface_.vertices.size()),
+          throw InputError(places_[n],
+                           fmt::format("the face names vertex {} of {}", vertex + 1, surface_.vertices.size()),
                            "name vertices of the file, counted from 1");
     return std::move(surface_);
   }
 
  private:
   static bool ignored(std::string_view key) {
-    static constexpr std::array<std::string_view, 13> keys = {"vn", "vt", "vp", "g",      "o",     "s",  "usemtl",
-                                                              "mtllib", "l", "p", "begin", "end", "mg"};
+    static constexpr std::array<std::string_view, 13> keys = {"vn",     "vt", "vp", "g",     "o",   "s", "usemtl",
+                                                              "mtllib", "l",  "p",  "begin", "end", "mg"};
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   }
 
@@ -167,7 +168,8 @@ TriangleSurface read_binary_stl(const std::string& content, const std::string& f
     for (int n = 3; n < 12; n += 3) {
       surface.vertices.emplace_back(values[n], values[n + 1], values[n + 2]);
       if (!surface.vertices.back().allFinite())
-        throw InputError({file}, fmt::format("facet {} has a coordinate that is no number", (at - stl_head) / stl_facet + 1),
+        throw InputError({file},
+                         fmt::format("facet {} has a coordinate that is no number", (at - stl_head) / stl_facet + 1),
                          "write the file again");
     }
     const int last = static_cast<int>(surface.vertices.size()) - 1;

@@ -85,9 +85,10 @@ void check_closed(const TriangleSurface& surface, const input::Location& where, 
   const Eigen::Vector3d &a = surface.vertices[edge[0]], &b = surface.vertices[edge[1]];
   throw input::InputError(
       where,
-      fmt::format("the surface is not closed: {} edges do not belong to two triangles, one of them ({} triangle(s)) from "
-                  "({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
-                  count, triangles, a.x(), a.y(), a.z(), b.x(), b.y(), b.z()),
+      fmt::format(
+          "the surface is not closed: {} edges do not belong to two triangles, one of them ({} triangle(s)) from "
+          "({:.4g}, {:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
+          count, triangles, a.x(), a.y(), a.z(), b.x(), b.y(), b.z()),
       "close the hole in the scanner's program, or move the cut planes so that it lies outside them");
 }
 

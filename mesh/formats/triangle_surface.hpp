@@ -18,13 +18,13 @@ struct TriangleSurface {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// Reads OBJ, STL (text or binary) or plain text of `v x y z` and `f a b c` lines between `begin` and `end`; which one is
-/// told by the content, not by the name. Polygons are cut into fans, coincident vertices are welded and collapsed
+/// Reads OBJ, STL (text or binary) or plain text of `v x y z` and `f a b c` lines between `begin` and `end`; which one
+/// is told by the content, not by the name. Polygons are cut into fans, coincident vertices are welded and collapsed
 /// triangles dropped. Throws input::InputError with file, line and remedy.
 TriangleSurface read_surface(const std::filesystem::path& path);
 
-/// Merges vertices nearer to each other than `tolerance` (0: 1e-7 of the surface's diagonal), drops triangles that lose a
-/// corner that way, and vertices that no triangle uses.
+/// Merges vertices nearer to each other than `tolerance` (0: 1e-7 of the surface's diagonal), drops triangles that lose
+/// a corner that way, and vertices that no triangle uses.
 TriangleSurface weld(const TriangleSurface& surface, double tolerance = 0.0);
 
 /// Range of heights that a check looks at, in the units of the surface.

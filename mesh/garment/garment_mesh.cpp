@@ -22,10 +22,10 @@ void check(const input::GarmentSpec& spec, const Limb& limb, double cell_size) {
   if (pattern.kind != "tube")
     throw InputError(spec.where, fmt::format("pattern kind \"{}\" is not known", pattern.kind), "write \"tube\"");
   if (!(pattern.flat_circumference > 0.0) || !(pattern.length > 0.0))
-    throw InputError(spec.where,
-                     fmt::format("the pattern measures {:g} mm by {:g} mm", 1e3 * pattern.flat_circumference,
-                                 1e3 * pattern.length),
-                     "write a positive flat_circumference and length");
+    throw InputError(
+        spec.where,
+        fmt::format("the pattern measures {:g} mm by {:g} mm", 1e3 * pattern.flat_circumference, 1e3 * pattern.length),
+        "write a positive flat_circumference and length");
   if (!(cell_size > 0.0))
     throw InputError(spec.where, fmt::format("the cell size is {:g} mm", 1e3 * cell_size),
                      "write a positive cell_size, or leave it out to take the skin's");
@@ -46,7 +46,8 @@ std::vector<int> sew(const PatternMesh& pattern) {
   return nodes.representatives();
 }
 
-/// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from outside.
+/// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from
+/// outside.
 std::vector<Eigen::Vector3d> place(const PatternMesh& pattern, const std::vector<int>& merged, double position,
                                    double width, const Limb& limb, double lift) {
   std::map<double, SectionArc> arcs;  // the nodes of an edge share a height

@@ -13,19 +13,20 @@
 namespace snug::mesh {
 
 struct GarmentMesh {
-  std::vector<Eigen::Vector2d> pattern;         ///< nodes on the flat pieces, m; both sides of a seam have nodes of their own
-  std::vector<Eigen::Vector3d> placed;          ///< placed round the body, m, frame of the body; equal on merged nodes
-  std::vector<std::array<int, 6>> triangles;    ///< vertices 0 1 2, then mid-edge nodes 01, 12, 20; counter-clockwise
-                                                ///< in the pattern and seen from outside the body when placed
-  std::vector<int> merged;                      ///< node -> representative node (itself when not sewn)
-  std::vector<Eigen::Vector2d> warp;            ///< per triangle: unit warp direction in the pattern plane
-  std::map<std::string, std::vector<int>> edges;  ///< named edges ("upper", "lower"): representative nodes, mid-edge nodes too
-  double mean_edge = 0.0;                       ///< m, in the pattern
+  std::vector<Eigen::Vector2d> pattern;  ///< nodes on the flat pieces, m; both sides of a seam have nodes of their own
+  std::vector<Eigen::Vector3d> placed;   ///< placed round the body, m, frame of the body; equal on merged nodes
+  std::vector<std::array<int, 6>> triangles;  ///< vertices 0 1 2, then mid-edge nodes 01, 12, 20; counter-clockwise
+                                              ///< in the pattern and seen from outside the body when placed
+  std::vector<int> merged;                    ///< node -> representative node (itself when not sewn)
+  std::vector<Eigen::Vector2d> warp;          ///< per triangle: unit warp direction in the pattern plane
+  std::map<std::string, std::vector<int>>
+      edges;               ///< named edges ("upper", "lower"): representative nodes, mid-edge nodes too
+  double mean_edge = 0.0;  ///< m, in the pattern
 };
 
-/// Meshes the pattern with gmsh (irregular triangles, equal divisions along both sides of a seam) and wraps it round the
-/// limb with its seam at the inner side (turn 0.5), lifted to `lift` off the skin along its normal.
-/// Throws input::InputError when the garment does not fit between the cut planes or a size is not positive.
+/// Meshes the pattern with gmsh (irregular triangles, equal divisions along both sides of a seam) and wraps it round
+/// the limb with its seam at the inner side (turn 0.5), lifted to `lift` off the skin along its normal. Throws
+/// input::InputError when the garment does not fit between the cut planes or a size is not positive.
 GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double cell_size, double lift = 2e-4);
 
 }  // namespace snug::mesh

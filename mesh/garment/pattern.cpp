@@ -76,8 +76,7 @@ void read_sides(const RectangleTags& tags, const std::unordered_map<std::size_t,
     std::vector<int>& side = pattern.sides[name];
     for (std::size_t node : nodes) side.push_back(number.at(node));
     const int axis = name == "left" || name == "right" ? 1 : 0;
-    std::sort(side.begin(), side.end(),
-              [&](int a, int b) { return pattern.nodes[a][axis] < pattern.nodes[b][axis]; });
+    std::sort(side.begin(), side.end(), [&](int a, int b) { return pattern.nodes[a][axis] < pattern.nodes[b][axis]; });
   }
 }
 

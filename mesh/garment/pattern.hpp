@@ -12,9 +12,9 @@ namespace snug::mesh {
 
 /// A meshed flat piece: straight P2 triangles (vertices 0 1 2, mid-edge nodes 01 12 20), counter-clockwise.
 struct PatternMesh {
-  std::vector<Eigen::Vector2d> nodes;                ///< m
+  std::vector<Eigen::Vector2d> nodes;  ///< m
   std::vector<std::array<int, 6>> triangles;
-  std::map<std::string, std::vector<int>> sides;     ///< nodes on a named side, mid-edge nodes too, in order along it
+  std::map<std::string, std::vector<int>> sides;  ///< nodes on a named side, mid-edge nodes too, in order along it
 };
 
 /// The rectangle [0, width] x [0, length] in irregular triangles of about `cell_size` (Delaunay, not a regular grid).

@@ -10,9 +10,7 @@
 namespace snug::mesh {
 
 /// Circular limb of 50 mm radius round a bone of 15 mm, from 0 to 200 mm.
-inline Limb cylinder() {
-  return straight_limb({0, 0.05, 0.05, 0, 0}, {0, 0.015, 0.015, 0, 0}, 0.0, 0.2);
-}
+inline Limb cylinder() { return straight_limb({0, 0.05, 0.05, 0, 0}, {0, 0.015, 0.015, 0, 0}, 0.0, 0.2); }
 
 /// Elliptic limb (60 x 45 mm semi-axes, off the origin) round an eccentric bone.
 inline Limb ellipse() {

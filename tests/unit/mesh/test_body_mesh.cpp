@@ -1,5 +1,5 @@
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <cmath>
 #include <map>
@@ -64,8 +64,7 @@ TEST(BodyMesh, TheMeshClosesRoundTheBodyWithoutDuplicateNodes) {
   const BodyMesh mesh = make_body_mesh(layered_spec(), ellipse());
   EXPECT_EQ(mesh.nodes.size(), 2u * 16 * (2 * 6 + 1) * (2 * 3 + 1));
   for (std::size_t a = 0; a < mesh.nodes.size(); ++a)
-    for (std::size_t b = a + 1; b < mesh.nodes.size(); ++b)
-      ASSERT_GT((mesh.nodes[a] - mesh.nodes[b]).norm(), 1e-5);
+    for (std::size_t b = a + 1; b < mesh.nodes.size(); ++b) ASSERT_GT((mesh.nodes[a] - mesh.nodes[b]).norm(), 1e-5);
   // The Euler number V - E + F of a tube is 0.
   std::set<int> vertices;
   std::set<std::set<int>> edges;
@@ -74,8 +73,9 @@ TEST(BodyMesh, TheMeshClosesRoundTheBodyWithoutDuplicateNodes) {
       vertices.insert(f[a]);
       edges.insert({f[a], f[b]});
     }
-  EXPECT_EQ(static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) +
-                static_cast<int>(mesh.skin_facets.size()), 0);
+  EXPECT_EQ(
+      static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(mesh.skin_facets.size()),
+      0);
 }
 
 TEST(BodyMesh, BoneAndCutPlanesHoldExactlyTheirNodes) {

@@ -1,5 +1,5 @@
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <set>
 
@@ -73,8 +73,10 @@ TEST(GarmentMesh, NodesStandTheLiftOffTheSkinAtEqualArcLengths) {
   const GarmentMesh round = sleeve(cylinder());
   for (std::size_t n = 0; n < round.pattern.size(); ++n) {
     const double angle = std::numbers::pi + 2 * std::numbers::pi * round.pattern[round.merged[n]].x() / 0.28;
-    EXPECT_NEAR((round.placed[n] - Eigen::Vector3d(0.0502 * std::cos(angle), 0.0502 * std::sin(angle),
-                                                    0.14 + round.pattern[n].y())).norm(), 0.0, 1e-10);
+    EXPECT_NEAR((round.placed[n] -
+                 Eigen::Vector3d(0.0502 * std::cos(angle), 0.0502 * std::sin(angle), 0.14 + round.pattern[n].y()))
+                    .norm(),
+                0.0, 1e-10);
   }
 }
 

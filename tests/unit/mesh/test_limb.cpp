@@ -1,5 +1,5 @@
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <cmath>
 #include <filesystem>
@@ -51,7 +51,9 @@ TEST(Limb, CurvatureOfACylinderIsOneOverItsRadiusAndZero) {
     const Eigen::Vector2d k = limb.skin_curvature(turn, 0.07);
     EXPECT_NEAR(k[0], 20.0, 1e-12);
     EXPECT_NEAR(k[1], 0.0, 1e-12);
-    EXPECT_NEAR((limb.skin_normal(turn, 0.07) - Eigen::Vector3d(std::cos(2 * pi * turn), std::sin(2 * pi * turn), 0)).norm(), 0.0, 1e-14);
+    EXPECT_NEAR(
+        (limb.skin_normal(turn, 0.07) - Eigen::Vector3d(std::cos(2 * pi * turn), std::sin(2 * pi * turn), 0)).norm(),
+        0.0, 1e-14);
   }
   EXPECT_NEAR(limb.girth(0.07), 2 * pi * 0.05, 1e-14);
 }

@@ -1,5 +1,5 @@
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <cmath>
 #include <filesystem>
@@ -60,7 +60,8 @@ class ScanFile {
     const auto node = [&](int i, int j) { return base + j * around + i % around; };
     for (int i = 0; i < around; ++i) {
       for (int j = 0; j + 1 < along; ++j)
-        file << "f " << node(i, j) << ' ' << node(i + 1, j) << ' ' << node(i + 1, j + 1) << ' ' << node(i, j + 1) << '\n';
+        file << "f " << node(i, j) << ' ' << node(i + 1, j) << ' ' << node(i + 1, j + 1) << ' ' << node(i, j + 1)
+             << '\n';
       if (!capped) continue;
       file << "f " << node(i + 1, 0) << ' ' << node(i, 0) << ' ' << base + around * along << '\n';
       file << "f " << node(i, along - 1) << ' ' << node(i + 1, along - 1) << ' ' << base + around * along + 1 << '\n';

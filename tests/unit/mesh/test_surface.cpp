@@ -28,7 +28,8 @@ double volume(const TriangleSurface& surface) {
   for (const auto& t : surface.triangles) {
     const auto &a = surface.vertices[t[0]], &b = surface.vertices[t[1]], &c = surface.vertices[t[2]];
     sum += (a.x() * (b.y() * c.z() - b.z() * c.y()) + a.y() * (b.z() * c.x() - b.x() * c.z()) +
-            a.z() * (b.x() * c.y() - b.y() * c.x())) / 6.0;
+            a.z() * (b.x() * c.y() - b.y() * c.x())) /
+           6.0;
   }
   return sum;
 }
@@ -66,7 +67,8 @@ std::string tetrahedron_as_binary_stl() {
 }
 
 TEST(Surface, TheSameBodyIsReadFromEveryFormat) {
-  expect_tetrahedron("# a comment\nmtllib x.mtl\no body\n" + vertices + "vn 0 0 1\nf 1//1 3//1 2//1\nf 1/1 2/1 4/1\n"
+  expect_tetrahedron("# a comment\nmtllib x.mtl\no body\n" + vertices +
+                     "vn 0 0 1\nf 1//1 3//1 2//1\nf 1/1 2/1 4/1\n"
                      "f -3 -2 -1\nf 1 4 3\n");
   expect_tetrahedron("begin\r\n" + vertices + faces + "end\r\n");
   expect_tetrahedron(faces + vertices);  // faces may come first

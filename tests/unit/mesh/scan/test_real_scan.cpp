@@ -1,7 +1,7 @@
 // Registered only when the folder SNUG_SCAN_DIR holds the scan.
-#include <Eigen/Dense>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <filesystem>
 #include <iostream>
