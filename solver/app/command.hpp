@@ -1,0 +1,47 @@
+// What every command of the program is.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace snug::app {
+
+/// Exit status of the program.
+enum Status : int {
+  done = 0,
+  outside_tolerance = 1,
+  input_wrong = 2,
+  not_converged = 3,  ///< what converged is kept and said
+  internal_fault = 4
+};
+
+/// One command: declares its arguments, then executes with what was given.
+class Command {
+ public:
+  virtual ~Command() = default;
+  virtual std::string name() const = 0;
+  virtual std::string summary() const = 0;
+  /// Adds arguments and options; they are members of the command.
+  virtual void declare(CLI::App& app) = 0;
+  /// Returns the exit status. Throws input::InputError for wrong input.
+  virtual int execute() = 0;
+};
+
+/// Every command, in the order of the help.
+std::vector<std::unique_ptr<Command>> all_commands();
+
+std::unique_ptr<Command> make_run();
+std::unique_ptr<Command> make_check();
+std::unique_ptr<Command> make_mesh();
+std::unique_ptr<Command> make_score();
+std::unique_ptr<Command> make_materials();
+std::unique_ptr<Command> make_new();
+std::unique_ptr<Command> make_explain();
+std::unique_ptr<Command> make_list();
+
+}  // namespace snug::app

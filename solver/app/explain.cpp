@@ -1,0 +1,95 @@
+// snug explain KEY and snug list: the generated reference.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cases/input/reference.hpp"
+#include "cases/input/suggestion.hpp"
+#include "solver/app/command.hpp"
+#include "solver/app/material_list.hpp"
+#include "solver/app/shipped_cases.hpp"
+
+namespace snug::app {
+
+namespace {
+
+std::vector<input::ReferenceRow> whole_reference() {
+  std::vector<input::ReferenceRow> rows = input::case_reference();
+  for (input::ReferenceRow& row : law_reference()) rows.push_back(std::move(row));
+  return rows;
+}
+
+/// "body.layers[].cells" for the comparison with what a user types: "body.layers.cells".
+std::string plain(std::string key) {
+  for (std::size_t at; (at = key.find("[]")) != std::string::npos;) key.erase(at, 2);
+  return key;
+}
+
+/// The whole key, its last part, or a section before it.
+bool matches(const std::string& key, const std::string& asked) {
+  const std::string full = plain(key), wanted = plain(asked);
+  if (full == wanted) return true;
+  return full.size() > wanted.size() && full.compare(full.size() - wanted.size() - 1, std::string::npos, "." + wanted) == 0;
+}
+
+class Explain : public Command {
+ public:
+  std::string name() const override { return "explain"; }
+  std::string summary() const override { return "what a key of case.toml or of a law means"; }
+
+  void declare(CLI::App& app) override { app.add_option("KEY", key_, "e.g. garment.position, thickness")->required(); }
+
+  int execute() override {
+    std::string text;
+    std::vector<std::string> known;
+    for (const input::ReferenceRow& row : whole_reference()) {
+      known.push_back(plain(row.key));
+      if (matches(row.key, key_)) text += explanation(row);
+    }
+    if (text.empty()) {
+      const std::string near = input::nearest(key_, known);
+      throw input::InputError({"snug explain", 0, 0}, "there is no key " + key_,
+                              (near.empty() ? "" : "did you mean " + near + "? ") + "snug list shows all of them");
+    }
+    fmt::print("{}", text);
+    return done;
+  }
+
+ private:
+  std::string key_;
+};
+
+void print_rows(const std::string& head, const std::vector<input::ReferenceRow>& rows) {
+  fmt::print("{}\n", head);
+  for (const input::ReferenceRow& row : rows) {
+    std::string facts = row.kind + (row.field.unit.empty() ? "" : ", " + row.field.unit);
+    if (row.field.required) facts += ", required";
+    if (!row.field.choices.empty()) facts += ": " + input::joined(row.field.choices);
+    if (!row.default_value.empty()) facts += "; default " + row.default_value;
+    fmt::print("  {:<36} {} ({})\n", row.key, row.field.meaning, facts);
+  }
+}
+
+class List : public Command {
+ public:
+  std::string name() const override { return "list"; }
+  std::string summary() const override { return "everything that can be chosen: keys, laws, materials, cases"; }
+  void declare(CLI::App&) override {}
+
+  int execute() override {
+    print_rows("keys of case.toml", input::case_reference());
+    print_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_reference());
+    fmt::print("\nshipped materials\n{}", materials_text());
+    fmt::print("\nsensation curves\n\"wear trial 2002\", or a CSV file of the case\n");
+    fmt::print("\nshipped cases (snug new NAME --like CASE)\n");
+    for (const std::string& name : shipped_cases()) fmt::print("  {}\n", name);
+    return done;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_explain() { return std::make_unique<Explain>(); }
+std::unique_ptr<Command> make_list() { return std::make_unique<List>(); }
+
+}  // namespace snug::app

@@ -1,0 +1,58 @@
+#include "solver/app/material_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cases/input/suggestion.hpp"
+#include "materials/database/shipped.hpp"
+#include "materials/fabric/fabric.hpp"
+#include "materials/fabric/inputs.hpp"
+#include "materials/laws/neo_hooke.hpp"
+#include "materials/laws/solid_law.hpp"
+
+namespace snug::app {
+
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string entry_text(const std::string& name, const char* shipped, const std::string& what) {
+  input::MaterialReference reference;
+  reference.name = name;
+  const materials::Entry entry = materials::find_entry(reference, shipped, what, what);
+  return fmt::format("# {} \"{}\"\n{}", what, name, input::to_toml(entry.table));
+}
+
+void append(std::vector<input::ReferenceRow>& rows, std::vector<input::ReferenceRow> more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+std::string materials_text() {
+  return fmt::format("fabrics:   {}\ntissues:   {}\nrigid:     \"rigid\" (bone without unknowns)\n",
+                     input::joined(materials::fabric_names()), input::joined(materials::tissue_names()));
+}
+
+std::string material_text(const std::string& name) {
+  std::vector<std::string> fabrics = materials::fabric_names(), tissues = materials::tissue_names();
+  if (contains(fabrics, name)) return entry_text(name, materials::shipped_fabrics, "fabric");
+  if (contains(tissues, name)) return entry_text(name, materials::shipped_tissues, "tissue");
+  fabrics.insert(fabrics.end(), tissues.begin(), tissues.end());
+  throw input::InputError({"snug materials show", 0, 0}, "there is no material \"" + name + "\"",
+                          input::did_you_mean(name, fabrics));
+}
+
+std::vector<input::ReferenceRow> law_reference() {
+  std::vector<input::ReferenceRow> rows;
+  append(rows, input::reference_of<materials::NeoHooke>("neo-Hooke."));
+  append(rows, input::reference_of<materials::LinearFabric>("linear."));
+  append(rows, input::reference_of<materials::CubicFabric>("cubic."));
+  append(rows, input::reference_of<materials::KesFabric>("kes."));
+  return rows;
+}
+
+}  // namespace snug::app

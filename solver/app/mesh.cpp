@@ -1,0 +1,79 @@
+// snug mesh DIR: only the meshes, with a quality table.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "postproc/grid.hpp"
+#include "solver/app/command.hpp"
+#include "solver/app/output_directory.hpp"
+#include "solver/app/prepared_case.hpp"
+#include "solver/app/print_plan.hpp"
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The undeformed body as a result, for the grid writer.
+postproc::BodyResult undeformed(const mesh::BodyMesh& mesh) {
+  postproc::BodyResult body;
+  body.nodes = mesh.nodes;
+  body.cells = mesh.cells;
+  body.skin_facets = mesh.skin_facets;
+  for (const mesh::Layer& layer : mesh.layers) body.layers.push_back(layer.name);
+  body.cell_layer = mesh.cell_layer;
+  body.locations = mesh.locations;
+  body.node_location = mesh.node_location;
+  body.displacement.assign(mesh.nodes.size(), Eigen::Vector3d::Zero());
+  body.contact_pressure.assign(mesh.nodes.size(), 0.0);
+  body.coverage.assign(mesh.nodes.size(), 0.0);
+  return body;
+}
+
+/// The garment as placed round the body, without strain.
+postproc::GarmentResult as_placed(const mesh::GarmentMesh& mesh) {
+  postproc::GarmentResult garment;
+  garment.placed = garment.current = mesh.placed;
+  garment.pattern = mesh.pattern;
+  garment.triangles = mesh.triangles;
+  const std::vector<double> zeros(mesh.triangles.size(), 0.0), ones(mesh.triangles.size(), 1.0);
+  garment.tension_warp = garment.tension_weft = garment.shear = garment.wrinkled = zeros;
+  garment.stretch_warp = garment.stretch_weft = ones;
+  garment.contact_pressure.assign(mesh.placed.size(), 0.0);
+  return garment;
+}
+
+class Mesh : public Command {
+ public:
+  std::string name() const override { return "mesh"; }
+  std::string summary() const override { return "write the meshes of a case for ParaView, with a quality table"; }
+
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", directory_, "case directory")->required();
+    options_.declare(app);
+    app.add_option("--out", out_, "where the meshes go (out/mesh in the case directory)")->type_name("DIR");
+  }
+
+  int execute() override {
+    OutputDirectory out(out_.empty() ? fs::path(directory_) / "out" / "mesh" : fs::path(out_));
+    const PreparedCase prepared = prepare(directory_, options_);
+    fmt::print("{}\n\n{}", prepared.description.title, quality_text(prepared));
+    const solver::Meshes& meshes = prepared.meshes;
+    if (!meshes.body.nodes.empty()) postproc::write_body(undeformed(meshes.body), {}, out.aside() / "body.vtu");
+    if (!meshes.garment.triangles.empty()) postproc::write_garment(as_placed(meshes.garment), out.aside() / "garment.vtu");
+    out.commit();
+    fmt::print("  files: {}\n", out.target().string());
+    return done;
+  }
+
+ private:
+  std::string directory_, out_;
+  CaseOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_mesh() { return std::make_unique<Mesh>(); }
+
+}  // namespace snug::app

@@ -1,0 +1,78 @@
+#include "solver/app/prepared_case.hpp"
+
+#include <chrono>
+
+#include "materials/fabric/fabric.hpp"
+#include "materials/laws/solid_law.hpp"
+#include "postproc/sensation.hpp"
+
+namespace snug::app {
+
+namespace {
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Collects the errors of several look-ups, so that they come together.
+class Collector {
+ public:
+  template <class LookUp>
+  void operator()(LookUp look_up) {
+    try {
+      look_up();
+    } catch (const input::InputError& error) {
+      for (const input::Diagnostic& one : error.errors()) diagnostics_.error(one.where, one.found, one.remedy);
+    }
+  }
+  void throw_if_any() const { diagnostics_.throw_if_any(); }
+
+ private:
+  input::Diagnostics diagnostics_;
+};
+
+/// Names that are wrong should be said before minutes of meshing and solving.
+void check_materials(const input::Case& description) {
+  Collector collect;
+  if (description.body)
+    for (const input::LayerSpec& layer : description.body->layers)
+      if (layer.form != "rigid") collect([&] { materials::find_tissue(layer.material); });
+  if (description.garment) collect([&] { materials::find_fabric(description.garment->fabric); });
+  if (description.comfort) collect([&] { postproc::load_curves(*description.comfort, description.directory); });
+  collect.throw_if_any();
+}
+
+solver::Meshes make_meshes(const input::Case& description) {
+  solver::Meshes meshes;
+  if (!description.body) return meshes;
+  meshes.limb = mesh::make_limb(*description.body);
+  meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
+  if (!description.garment) return meshes;
+  const double given = description.garment->cell_size;
+  const double cell_size = given > 0.0 ? given : meshes.body.mean_skin_cell;
+  meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb, cell_size);
+  return meshes;
+}
+
+}  // namespace
+
+PreparedCase prepare(const std::filesystem::path& directory, const CaseOptions& options) {
+  PreparedCase prepared;
+  const Stopwatch reading;
+  prepared.description = options.read(directory);
+  check_materials(prepared.description);
+  prepared.phases.push_back({"reading", reading.seconds()});
+  const Stopwatch meshing;
+  prepared.meshes = make_meshes(prepared.description);
+  prepared.quality = mesh::quality(prepared.meshes.body);
+  prepared.phases.push_back({"meshing", meshing.seconds()});
+  return prepared;
+}
+
+}  // namespace snug::app

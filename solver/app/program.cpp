@@ -1,0 +1,67 @@
+#include "solver/app/program.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "cases/input/diagnostics.hpp"
+#include "solver/app/command.hpp"
+
+namespace snug::app {
+
+std::vector<std::unique_ptr<Command>> all_commands() {
+  std::vector<std::unique_ptr<Command>> commands;
+  commands.push_back(make_run());
+  commands.push_back(make_check());
+  commands.push_back(make_mesh());
+  commands.push_back(make_score());
+  commands.push_back(make_materials());
+  commands.push_back(make_new());
+  commands.push_back(make_explain());
+  commands.push_back(make_list());
+  return commands;
+}
+
+namespace {
+
+/// Runs a command and says what went wrong.
+int execute(Command& command) {
+  try {
+    return command.execute();
+  } catch (const input::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return input_wrong;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "snug {}: error: {}; this is a fault of snug or of the machine, not of the input\n", command.name(),
+               error.what());
+  } catch (...) {
+    fmt::print(stderr, "snug {}: error: unknown fault; this is a fault of snug, not of the input\n", command.name());
+  }
+  return internal_fault;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App program("snug predicts what a garment does to the body that wears it.", "snug");
+  program.set_version_flag("--version", "snug " SNUG_VERSION);
+  program.require_subcommand(1);
+  program.footer("Exit status: 0 done, 1 outside a tolerance, 2 wrong input, 3 no convergence, 4 internal fault.");
+  const auto commands = all_commands();
+  for (const auto& command : commands) command->declare(*program.add_subcommand(command->name(), command->summary()));
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // --help, --version
+    return program.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "snug: error: {}; snug --help and snug COMMAND --help tell what can be written\n", error.what());
+    return input_wrong;
+  }
+  for (const auto& command : commands)
+    if (program.got_subcommand(command->name())) return execute(*command);
+  return input_wrong;
+}
+
+}  // namespace snug::app

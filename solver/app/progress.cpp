@@ -1,0 +1,54 @@
+#include "solver/app/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace snug::app {
+
+namespace {
+
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
+}
+
+bool same_increment(const solver::Progress& a, const solver::Progress& b) {
+  return a.phase == b.phase && a.increment == b.increment;
+}
+
+}  // namespace
+
+std::string progress_text(const solver::Progress& p) {
+  std::string text = fmt::format("{:<12} increment {:>3}  s {:.3f}  Newton {:>2}  residual {:.1e}  contact {:>5}  {:.0f} s",
+                                 p.phase, p.increment, p.load, p.iteration, p.residual, p.contact_nodes, p.elapsed);
+  if (p.expected > 0.0) text += fmt::format(" of about {:.0f} s", p.expected);
+  return text;
+}
+
+ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0) {}
+
+void ProgressLine::show(const solver::Progress& progress) {
+  if (quiet_) return;
+  if (terminal_) {
+    fmt::print("\r\033[K{}", progress_text(progress).substr(0, terminal_width() - 1));
+    open_ = true;
+  } else if (any_ && !same_increment(progress, last_)) {
+    fmt::print("{}\n", progress_text(last_));  // an increment is over when the next begins
+  }
+  std::fflush(stdout);
+  last_ = progress;
+  any_ = true;
+}
+
+void ProgressLine::finish() {
+  if (quiet_ || !any_) return;
+  if (!terminal_) fmt::print("{}\n", progress_text(last_));
+  if (open_) fmt::print("\n");
+  std::fflush(stdout);
+  any_ = open_ = false;
+}
+
+}  // namespace snug::app

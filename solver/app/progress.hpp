@@ -1,0 +1,33 @@
+// What a run says while it solves.
+#pragma once
+
+#include <string>
+
+#include "solver/scene/run.hpp"
+
+namespace snug::app {
+
+/// "body  increment 4  s 0.550  Newton 3  residual 2.1e-04  contact 812  12 s of about 40 s"
+std::string progress_text(const solver::Progress& progress);
+
+/// On a terminal one line that is rewritten; otherwise a plain line for each increment.
+class ProgressLine {
+ public:
+  /// `quiet`: says nothing.
+  explicit ProgressLine(bool quiet);
+  ~ProgressLine() { finish(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const solver::Progress& progress);
+  /// Ends the line, so that the next output begins on its own.
+  void finish();
+
+ private:
+  bool quiet_, terminal_;
+  bool open_ = false;                   ///< a line is on the terminal without its end
+  solver::Progress last_;
+  bool any_ = false;
+};
+
+}  // namespace snug::app

@@ -1,0 +1,50 @@
+#include "solver/app/provenance.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// FNV-1a, 64 bits: tells whether a file is the same, not who wrote it.
+std::string hash_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (std::istreambuf_iterator<char> byte(file), end; byte != end; ++byte)
+    hash = (hash ^ static_cast<unsigned char>(*byte)) * 1099511628211ULL;
+  return fmt::format("fnv1a64:{:016x}", hash);
+}
+
+std::vector<fs::path> input_files(const input::Case& description) {
+  std::vector<fs::path> files = {description.directory / "case.toml"};
+  if (description.body && !description.body->stations.empty()) files.push_back(description.body->stations);
+  if (description.body && description.body->scan) files.push_back(description.body->scan->surface);
+  if (description.comfort && fs::is_regular_file(description.comfort->curves.name))
+    files.push_back(description.comfort->curves.name);
+  return files;
+}
+
+}  // namespace
+
+postproc::Provenance provenance_of(const PreparedCase& prepared) {
+  postproc::Provenance provenance;
+  provenance.versions = {{"snug", SNUG_VERSION}, {"compiler", __VERSION__}, {"blas", solver::loaded_blas()}};
+  const fs::path directory = prepared.description.directory.lexically_normal();
+  for (const fs::path& file : input_files(prepared.description))
+    provenance.input_hashes[file.lexically_normal().lexically_relative(directory).generic_string()] = hash_of(file);
+  for (const mesh::QualityRow& row : prepared.quality)
+    provenance.mesh_quality[row.layer] = {{"cells", row.cells},
+                                          {"min_scaled_jacobian", row.min_scaled_jacobian},
+                                          {"mean_scaled_jacobian", row.mean_scaled_jacobian},
+                                          {"max_aspect", row.max_aspect},
+                                          {"volume_m3", row.volume}};
+  return provenance;
+}
+
+}  // namespace snug::app

@@ -1,0 +1,136 @@
+// snug run DIR...: mesh, solve, post-process, report.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+#include "cases/input/echo.hpp"
+#include "postproc/recorders.hpp"
+#include "solver/app/command.hpp"
+#include "solver/app/final_table.hpp"
+#include "solver/app/output_directory.hpp"
+#include "solver/app/prepared_case.hpp"
+#include "solver/app/print_plan.hpp"
+#include "solver/app/progress.hpp"
+#include "solver/app/provenance.hpp"
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// PETSc reads the command line for its own options; it gets none of ours.
+class SolverSession {
+ public:
+  SolverSession() : session_(count_, arguments_) {}
+
+ private:
+  char name_[5] = "snug";
+  char* storage_[2] = {name_, nullptr};
+  char** arguments_ = storage_;
+  int count_ = 1;
+  solver::Session session_;
+};
+
+void warn_of_slow_blas() {
+  if (solver::loaded_blas() == "reference")
+    fmt::print(stderr, "snug: warning: the reference BLAS is loaded, which solves about four times slower; "
+                       "scripts/setup installs OpenBLAS (libopenblas0-pthread)\n");
+}
+
+void write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
+               OutputDirectory& out) {
+  postproc::write_results(run, evaluation, out.aside(), provenance_of(prepared));
+  std::ofstream echo(out.aside() / "case.echo.toml");
+  echo << input::echo_text(prepared.description);
+  echo.close();
+  if (!echo) throw std::runtime_error("case.echo.toml cannot be written into " + out.aside().string());
+  out.commit();
+}
+
+int status_of(const postproc::RunResult& run, const fs::path& directory) {
+  if (run.status == "converged") return done;
+  fmt::print(stderr, "{}: error: {}; {}\n", (directory / "case.toml").string(),
+             run.status == "partial" ? "the solution stopped on its way, what converged is kept" : "nothing converged",
+             run.message.empty() ? "see history.csv" : run.message);
+  return not_converged;
+}
+
+class Run : public Command {
+ public:
+  std::string name() const override { return "run"; }
+  std::string summary() const override { return "mesh, solve, post-process and report a case"; }
+
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", directories_, "case directories")->required();
+    options_.declare(app);
+    app.add_option("--out", out_, "where the results go (out/ in the case directory)")->type_name("DIR");
+    app.add_option("--ranks", ranks_, "processes; only 1 is available yet");
+    app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
+  }
+
+  int execute() override {
+    if (ranks_ != 1)
+      throw input::InputError({"--ranks", 0, 0}, fmt::format("{} ranks are not available yet", ranks_), "leave --ranks out");
+    if (!out_.empty() && directories_.size() > 1)
+      throw input::InputError({"--out", 0, 0}, "one place is given for several cases", "run them one by one, or leave --out out");
+    int status = done;
+    for (const std::string& directory : directories_) status = std::max(status, run_or_say(directory));
+    return status;
+  }
+
+ private:
+  /// A wrong case among several does not keep the others from running.
+  int run_or_say(const fs::path& directory) {
+    try {
+      return run_one(directory);
+    } catch (const input::InputError& error) {
+      fmt::print(stderr, "{}\n", error.what());
+      return input_wrong;
+    }
+  }
+
+  int run_one(const fs::path& directory) {
+    OutputDirectory out(out_.empty() ? directory / "out" : fs::path(out_));
+    PreparedCase prepared = prepare(directory, options_);
+    if (!session_) session_ = std::make_unique<SolverSession>();
+    warn_of_slow_blas();
+    say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
+    postproc::RunResult run = solve(prepared);
+    const auto evaluation = postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
+    write_all(run, evaluation, prepared, out);
+    say(final_text(run, evaluation, out.target()));
+    return status_of(run, directory);
+  }
+
+  postproc::RunResult solve(const PreparedCase& prepared) const {
+    ProgressLine line(quiet_);
+    postproc::RunResult run = solver::solve(prepared.description, prepared.meshes,
+                                            [&](const solver::Progress& progress) { line.show(progress); });
+    run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
+    return run;
+  }
+
+  void say(const std::string& text) const {
+    if (quiet_) return;
+    fmt::print("{}", text);
+    std::fflush(stdout);
+  }
+
+  std::vector<std::string> directories_;
+  CaseOptions options_;
+  std::string out_;
+  int ranks_ = 1;
+  bool quiet_ = false;
+  std::unique_ptr<SolverSession> session_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_run() { return std::make_unique<Run>(); }
+
+}  // namespace snug::app
