@@ -13,7 +13,8 @@ struct Range {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(input::Field{.key = "range", .unit = "Pa", .meaning = "lowest and highest shear modulus published"}, self.shear_modulus);
+    field(input::Field{.key = "range", .unit = "Pa", .meaning = "lowest and highest shear modulus published"},
+          self.shear_modulus);
   }
 };
 

@@ -12,14 +12,17 @@
 
 namespace snug::materials {
 
-/// Second Piola-Kirchhoff force per rest length S(E) (N/m) of a uniaxially strained, laterally held strip and its integral.
-/// S = F/(1 + e) with the nominal force F of the engineering strain e inside the data; linear in E beyond the data (C1) and
-/// in compression. Strictly increasing, so that the energy is convex: where the slope dS/dE falls below a twentieth of the
-/// initial one (LT > 1, or a straight F at large stretch) the data range ends there, earlier than the data itself.
+/// Second Piola-Kirchhoff force per rest length S(E) (N/m) of a uniaxially strained, laterally held strip and its
+/// integral. S = F/(1 + e) with the nominal force F of the engineering strain e inside the data; linear in E beyond the
+/// data (C1) and in compression. Strictly increasing, so that the energy is convex: where the slope dS/dE falls below a
+/// twentieth of the initial one (LT > 1, or a straight F at large stretch) the data range ends there, earlier than the
+/// data itself.
 class TensionCurve {
  public:
-  struct Value { double energy, force, stiffness; };  ///< J/m2, N/m, N/m
-  TensionCurve() = default;                           ///< no stiffness at all
+  struct Value {
+    double energy, force, stiffness;
+  };                         ///< J/m2, N/m, N/m
+  TensionCurve() = default;  ///< no stiffness at all
   /// S = stiffness * E (St Venant-Kirchhoff): F = stiffness * l (l^2 - 1)/2 at stretch l.
   static TensionCurve linear(double stiffness);
   /// KES tensile curve: F(e) = Fm (exp(a e) - 1)/(exp(a em) - 1), em = 2 WT / (LT Fm), where x = a em solves
@@ -37,8 +40,8 @@ class TensionCurve {
 
  private:
   enum class Kind { linear, kes, cubic } kind_ = Kind::linear;
-  double p0_ = 0, p1_ = 0;                  ///< kes: initial stiffness (N/m), a; cubic: k1, k3 (N/m)
-  double end_ = 0;                          ///< Green strain where the data ends
+  double p0_ = 0, p1_ = 0;  ///< kes: initial stiffness (N/m), a; cubic: k1, k3 (N/m)
+  double end_ = 0;          ///< Green strain where the data ends
   Value at_end_{};
   double initial_stiffness_ = 0, smallest_stiffness_ = 0;
 

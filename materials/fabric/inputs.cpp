@@ -28,8 +28,6 @@ Fabric CubicFabric::fabric() const {
   return assemble(curve, curve, shear, sheet);
 }
 
-Fabric KesFabric::fabric() const {
-  return assemble(tension.curve(), (weft ? *weft : tension).curve(), G, sheet);
-}
+Fabric KesFabric::fabric() const { return assemble(tension.curve(), (weft ? *weft : tension).curve(), G, sheet); }
 
 }  // namespace snug::materials

@@ -17,11 +17,14 @@ struct Sheet {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "poisson", .meaning = "coupling of warp and weft by the smallest stiffness",
-                .bound = {.low = 0.0, .high = 1.0, .high_open = true}}, self.poisson);
+    field(Field{.key = "poisson",
+                .meaning = "coupling of warp and weft by the smallest stiffness",
+                .bound = {.low = 0.0, .high = 1.0, .high_open = true}},
+          self.poisson);
     field(Field{.key = "weight", .unit = "kg/m2", .meaning = "mass per area", .bound = non_negative()}, self.weight);
     field(Field{.key = "thickness", .unit = "m", .meaning = "thickness", .bound = non_negative()}, self.thickness);
-    field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness (not used yet)", .bound = non_negative()}, self.bending);
+    field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness (not used yet)", .bound = non_negative()},
+          self.bending);
   }
 };
 
@@ -34,9 +37,12 @@ struct LinearFabric {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "warp", .unit = "N/m", .meaning = "warp stiffness", .required = true, .bound = positive()}, self.warp);
-    field(Field{.key = "weft", .unit = "N/m", .meaning = "weft stiffness", .required = true, .bound = positive()}, self.weft);
-    field(Field{.key = "shear", .unit = "N/m", .meaning = "shear stiffness", .required = true, .bound = positive()}, self.shear);
+    field(Field{.key = "warp", .unit = "N/m", .meaning = "warp stiffness", .required = true, .bound = positive()},
+          self.warp);
+    field(Field{.key = "weft", .unit = "N/m", .meaning = "weft stiffness", .required = true, .bound = positive()},
+          self.weft);
+    field(Field{.key = "shear", .unit = "N/m", .meaning = "shear stiffness", .required = true, .bound = positive()},
+          self.shear);
     Sheet::describe(self.sheet, field);
   }
 };
@@ -51,11 +57,16 @@ struct CubicFabric {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "k1", .unit = "N/m", .meaning = "linear stiffness", .required = true, .bound = positive()}, self.k1);
-    field(Field{.key = "k3", .unit = "N/m", .meaning = "cubic stiffness", .required = true, .bound = non_negative()}, self.k3);
-    field(Field{.key = "data_end", .meaning = "elongation (1 = 100 %) up to which the law holds; straight beyond",
-                .bound = positive()}, self.data_end);
-    field(Field{.key = "shear", .unit = "N/m", .meaning = "shear stiffness", .required = true, .bound = positive()}, self.shear);
+    field(Field{.key = "k1", .unit = "N/m", .meaning = "linear stiffness", .required = true, .bound = positive()},
+          self.k1);
+    field(Field{.key = "k3", .unit = "N/m", .meaning = "cubic stiffness", .required = true, .bound = non_negative()},
+          self.k3);
+    field(Field{.key = "data_end",
+                .meaning = "elongation (1 = 100 %) up to which the law holds; straight beyond",
+                .bound = positive()},
+          self.data_end);
+    field(Field{.key = "shear", .unit = "N/m", .meaning = "shear stiffness", .required = true, .bound = positive()},
+          self.shear);
     Sheet::describe(self.sheet, field);
   }
 };
@@ -72,8 +83,10 @@ struct KesTension {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "LT", .meaning = "linearity of the tensile curve", .required = true, .bound = between(0.1, 1.9)}, self.LT);
-    field(Field{.key = "WT", .unit = "J/m2", .meaning = "tensile work", .required = true, .bound = positive()}, self.WT);
+    field(Field{.key = "LT", .meaning = "linearity of the tensile curve", .required = true, .bound = between(0.1, 1.9)},
+          self.LT);
+    field(Field{.key = "WT", .unit = "J/m2", .meaning = "tensile work", .required = true, .bound = positive()},
+          self.WT);
     field(Field{.key = "Fm", .unit = "N/m", .meaning = "largest force of the test", .bound = positive()}, self.Fm);
     field(Field{.key = "EMT", .meaning = "elongation at Fm in percent, instead of Fm", .bound = positive()}, self.EMT);
   }
@@ -81,9 +94,9 @@ struct KesTension {
 
 /// law = "kes": the printed results of a KES-F test.
 struct KesFabric {
-  KesTension tension;              ///< warp, and weft unless `weft` is given
+  KesTension tension;  ///< warp, and weft unless `weft` is given
   std::optional<KesTension> weft;
-  double G = 0.0;                  ///< N/m per rad
+  double G = 0.0;  ///< N/m per rad
   Sheet sheet;
 
   Fabric fabric() const;
@@ -92,7 +105,8 @@ struct KesFabric {
     using namespace input;
     KesTension::describe(self.tension, field);
     field(Field{.key = "weft", .meaning = "LT, WT, Fm or EMT of the weft, where they differ"}, self.weft);
-    field(Field{.key = "G", .unit = "N/(m rad)", .meaning = "shear stiffness", .required = true, .bound = positive()}, self.G);
+    field(Field{.key = "G", .unit = "N/(m rad)", .meaning = "shear stiffness", .required = true, .bound = positive()},
+          self.G);
     Sheet::describe(self.sheet, field);
   }
 };

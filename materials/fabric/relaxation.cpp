@@ -12,8 +12,8 @@
 namespace snug::materials {
 namespace {
 
-using Eigen::Matrix2d, Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d;
 using Eigen::Matrix;
+using Eigen::Matrix2d, Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d;
 
 // Strain below which a state counts as unstrained: round-off of coordinates must not choose between taut and slack.
 constexpr double strain_roundoff = 1e-12;
@@ -41,8 +41,8 @@ struct Frame {
   double across(const Vector3d& N) const { return m[0] * m[0] * N[0] + m[1] * m[1] * N[1] + 2.0 * m[0] * m[1] * N[2]; }
 };
 
-// Start: the dual problem with frozen compliance S, max over m of (m.E m)+^2 / (2 M:S:M), M = m m, over some directions.
-// Exact for a linear fabric up to the spacing of the directions.
+// Start: the dual problem with frozen compliance S, max over m of (m.E m)+^2 / (2 M:S:M), M = m m, over some
+// directions. Exact for a linear fabric up to the spacing of the directions.
 Wrinkle start(const Matrix3d& C, const Vector3d& E) {
   constexpr int directions = 12;
   const double det = C(0, 0) * C(1, 1) - C(0, 1) * C(0, 1);
@@ -77,7 +77,8 @@ bool newton(const Fabric& fabric, const Vector3d& E, double stiffness, Wrinkle& 
     const double mixed = 0.5 * f.q.dot(r.force);
     const Vector3d Cp = r.tangent * f.p, Cq = r.tangent * f.q;
     Matrix2d jacobian;
-    jacobian << f.p.dot(Cp), w.beta * f.p.dot(Cq) + 2.0 * mixed, 0.5 * f.q.dot(Cp), 0.5 * w.beta * f.q.dot(Cq) + sigma - along;
+    jacobian << f.p.dot(Cp), w.beta * f.p.dot(Cq) + 2.0 * mixed, 0.5 * f.q.dot(Cp),
+        0.5 * w.beta * f.q.dot(Cq) + sigma - along;
     const double det = jacobian(0, 0) * jacobian(1, 1) - jacobian(0, 1) * jacobian(1, 0);
     const double d_beta = -(jacobian(1, 1) * along - jacobian(0, 1) * mixed) / det;
     const double d_angle = -(jacobian(0, 0) * mixed - jacobian(1, 0) * along) / det;
@@ -155,7 +156,8 @@ MembraneResponse wrinkled(const Fabric& fabric, const Vector3d& E, const Wrinkle
   const double det = a * d - b * b;
   if (det > 1e-14 * a * d) {
     r.tangent -= (d * CV.col(0) * CV.col(0).transpose() - b * CV.col(0) * CV.col(1).transpose() -
-                  b * CV.col(1) * CV.col(0).transpose() + a * CV.col(1) * CV.col(1).transpose()) / det;
+                  b * CV.col(1) * CV.col(0).transpose() + a * CV.col(1) * CV.col(1).transpose()) /
+                 det;
   } else {
     r.tangent -= CV.col(0) * CV.col(0).transpose() / a;
   }

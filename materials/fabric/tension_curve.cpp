@@ -88,7 +88,8 @@ TensionCurve::TensionCurve(Kind kind, double p0, double p1, double data_end)
   double low = std::max(0, softest - 1) * step, high = std::min((softest + 1) * step, engineering_strain(end_));
   while (high - low > 1e-7 * step) {  // the slope has one minimum between the neighbours of the softest sample
     const double third = (high - low) / 3.0;
-    const double left = inside(green_strain(low + third)).stiffness, right = inside(green_strain(high - third)).stiffness;
+    const double left = inside(green_strain(low + third)).stiffness,
+                 right = inside(green_strain(high - third)).stiffness;
     (left < right ? high : low) += left < right ? -third : third;
     smallest_stiffness_ = std::min({smallest_stiffness_, left, right});
   }

@@ -15,7 +15,9 @@ struct NeoHooke {
   double poisson_ratio = 0.49;
 
   /// Pa.
-  double bulk_modulus() const { return 2.0 * shear_modulus * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio)); }
+  double bulk_modulus() const {
+    return 2.0 * shear_modulus * (1.0 + poisson_ratio) / (3.0 * (1.0 - 2.0 * poisson_ratio));
+  }
   /// F: deformation gradient with det F > 0 (the caller's duty: steps are bounded before inversion).
   IsochoricResponse isochoric(const Eigen::Matrix3d& F) const;
   /// J > 0; at J <= 0 the energy is not finite.
@@ -24,9 +26,15 @@ struct NeoHooke {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "shear_modulus", .unit = "Pa", .meaning = "initial shear modulus", .required = true, .bound = positive()},
+    field(Field{.key = "shear_modulus",
+                .unit = "Pa",
+                .meaning = "initial shear modulus",
+                .required = true,
+                .bound = positive()},
           self.shear_modulus);
-    field(Field{.key = "poisson_ratio", .meaning = "initial Poisson ratio", .bound = {.low = 0.0, .high = 0.5, .high_open = true}},
+    field(Field{.key = "poisson_ratio",
+                .meaning = "initial Poisson ratio",
+                .bound = {.low = 0.0, .high = 0.5, .high_open = true}},
           self.poisson_ratio);
   }
 };
@@ -34,9 +42,11 @@ struct NeoHooke {
 /// Matrix of cofactors J F^-T.
 inline Eigen::Matrix3d cofactor(const Eigen::Matrix3d& F) {
   Eigen::Matrix3d c;
-  c << F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1), F(1, 2) * F(2, 0) - F(1, 0) * F(2, 2), F(1, 0) * F(2, 1) - F(1, 1) * F(2, 0),
-      F(2, 1) * F(0, 2) - F(2, 2) * F(0, 1), F(2, 2) * F(0, 0) - F(2, 0) * F(0, 2), F(2, 0) * F(0, 1) - F(2, 1) * F(0, 0),
-      F(0, 1) * F(1, 2) - F(0, 2) * F(1, 1), F(0, 2) * F(1, 0) - F(0, 0) * F(1, 2), F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
+  c << F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1), F(1, 2) * F(2, 0) - F(1, 0) * F(2, 2),
+      F(1, 0) * F(2, 1) - F(1, 1) * F(2, 0), F(2, 1) * F(0, 2) - F(2, 2) * F(0, 1),
+      F(2, 2) * F(0, 0) - F(2, 0) * F(0, 2), F(2, 0) * F(0, 1) - F(2, 1) * F(0, 0),
+      F(0, 1) * F(1, 2) - F(0, 2) * F(1, 1), F(0, 2) * F(1, 0) - F(0, 0) * F(1, 2),
+      F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
   return c;
 }
 

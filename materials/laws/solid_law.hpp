@@ -14,7 +14,8 @@
 
 namespace snug::materials {
 
-/// Every law of tissue, visibly. Adding one is a file, this line, the line in the typed test list and a reference paragraph.
+/// Every law of tissue, visibly. Adding one is a file, this line, the line in the typed test list and a reference
+/// paragraph.
 using SolidLaw = std::variant<NeoHooke>;
 
 inline IsochoricResponse isochoric(const SolidLaw& law, const Eigen::Matrix3d& F) {

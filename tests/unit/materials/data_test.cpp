@@ -13,7 +13,9 @@ using input::InputError, input::MaterialReference;
 using materials::Fabric, materials::find_fabric, materials::find_tissue, materials::NeoHooke;
 
 MaterialReference named(const std::string& name) { return {.name = name, .table = {}, .where = {"case.toml", 7, 12}}; }
-MaterialReference inline_table(const std::string& text) { return {.name = {}, .table = text, .where = {"case.toml", 7, 12}}; }
+MaterialReference inline_table(const std::string& text) {
+  return {.name = {}, .table = text, .where = {"case.toml", 7, 12}};
+}
 std::string error_of(auto&& action) {
   try {
     action();
@@ -91,38 +93,59 @@ TEST(Data, UnknownNamesGetTheNearestOne) {
 
 TEST(Data, InlineTissue) {
   // A table of the case's own values is a tissue.
-  const auto tissue = find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulus = "10 kPa", poisson_ratio = 0.49 })toml"));
+  const auto tissue =
+      find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulus = "10 kPa", poisson_ratio = 0.49 })toml"));
   EXPECT_DOUBLE_EQ(initial_shear_modulus(tissue.law), 10e3);
   EXPECT_DOUBLE_EQ(std::get<NeoHooke>(tissue.law).poisson_ratio, 0.49);
 }
 
 TEST(Data, InlineFabrics) {
-  // Linear, cubic and KES tables are fabrics; units are converted, a weft of its own is taken.
+  // Linear, cubic and KES tables, in one line or several, are fabrics; units are converted, a weft of its own is taken.
   const Fabric linear = find_fabric(inline_table(
       R"toml({ law = "linear", warp = "1000 N/m", weft = "300 N/m", shear = "250 N/m", poisson = 0.5 })toml"));
   EXPECT_NEAR(linear.warp.at(0.1).force, 100, 1e-12);
   EXPECT_NEAR(linear.weft.at(0.1).force, 30, 1e-12);
   EXPECT_NEAR(linear.coupling, 150, 1e-12);
   EXPECT_NEAR(linear.shear, 250, 1e-12);
-  const Fabric cubic = find_fabric(inline_table(R"toml({ law = "cubic", k1 = "100 N/m", k3 = "2000 N/m", shear = "50 N/m" })toml"));
+  const Fabric cubic =
+      find_fabric(inline_table(R"toml({ law = "cubic", k1 = "100 N/m", k3 = "2000 N/m", shear = "50 N/m" })toml"));
   EXPECT_NEAR(nominal(cubic.weft, 0.2), 20 + 16, 1e-12);
   const Fabric kes = find_fabric(inline_table(
-      R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", Fm = "500 gf/cm", G = "0.8 gf/(cm degree)", weft = { LT = 0.9, WT = "5 gf cm/cm2", Fm = "500 gf/cm" } })toml"));
+      R"toml(law = "kes"
+             LT = 0.7
+             WT = "12 gf cm/cm2"
+             Fm = "500 gf/cm"
+             G = "0.8 gf/(cm degree)"
+             weft = { LT = 0.9, WT = "5 gf cm/cm2", Fm = "500 gf/cm" })toml"));
   EXPECT_NEAR(kes.warp.at(0).stiffness, 2379.713952, 1e-6);
   EXPECT_NEAR(kes.weft.at(0).stiffness, 16071.336829, 1e-6);
   EXPECT_NEAR(kes.shear, 44.950372, 1e-6);
 }
 
 TEST(Data, WrongInlineTablesSayWhatToWrite) {
-  // A wrong key, a missing number, a Poisson ratio that would lose convexity, or Fm and EMT together are located errors.
-  EXPECT_NE(error_of([] { find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulos = "10 kPa" })toml")); }).find("shear_modulus"),
+  // A wrong key, a missing number, a Poisson ratio that would lose convexity, or Fm and EMT together are located
+  // errors.
+  EXPECT_NE(error_of([] {
+              find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulos = "10 kPa" })toml"));
+            }).find("shear_modulus"),
             std::string::npos);
-  EXPECT_NE(error_of([] { find_tissue(inline_table(R"toml({ law = "neo-Hook", shear_modulus = "10 kPa" })toml")); }).find("neo-Hooke"),
+  EXPECT_NE(error_of([] {
+              find_tissue(inline_table(R"toml({ law = "neo-Hook", shear_modulus = "10 kPa" })toml"));
+            }).find("neo-Hooke"),
             std::string::npos);
-  EXPECT_NE(error_of([] { find_fabric(inline_table(R"toml({ law = "linear", warp = "1 N/m", weft = "1 N/m", shear = "1 N/m", poisson = 1.0 })toml")); })
-                .find("poisson"), std::string::npos);
+  EXPECT_NE(error_of([] {
+              find_fabric(inline_table(
+                  R"toml({ law = "linear", warp = "1 N/m", weft = "1 N/m", shear = "1 N/m", poisson = 1.0 })toml"));
+            }).find("poisson"),
+            std::string::npos);
   const std::string both = error_of([] {
-    find_fabric(inline_table(R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", Fm = "500 gf/cm", EMT = 7, G = "0.8 gf/(cm degree)" })toml"));
+    find_fabric(inline_table(
+        R"toml(law = "kes"
+             LT = 0.7
+             WT = "12 gf cm/cm2"
+             Fm = "500 gf/cm"
+             EMT = 7
+             G = "0.8 gf/(cm degree)")toml"));
   });
   EXPECT_NE(both.find("both Fm and EMT"), std::string::npos) << both;
   const std::string neither = error_of([] {

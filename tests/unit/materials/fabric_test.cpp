@@ -32,7 +32,8 @@ TEST(Fabric, UnrelaxedIsConvex) {
 TEST(Fabric, OffAxisStiffness) {
   // An orthotropic strip pulled at an angle to the warp has the small-strain modulus of reference book 2.7.
   const Eigen::Matrix3d compliance = off_axis_fabric().unrelaxed(Vector3d::Zero()).tangent.inverse();
-  const double rows[][2] = {{0, 1000}, {15, 476.6511567527}, {30, 226.8431001890}, {45, 168.5393258427}, {75, 242.7952745455}, {90, 300}};
+  const double rows[][2] = {
+      {0, 1000}, {15, 476.6511567527}, {30, 226.8431001890}, {45, 168.5393258427}, {75, 242.7952745455}, {90, 300}};
   for (const auto& [degrees, modulus] : rows) {
     const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
     const Vector3d M(c * c, s * s, c * s);
@@ -43,11 +44,15 @@ TEST(Fabric, OffAxisStiffness) {
 TEST(Fabric, FiniteStrainOffAxis) {
   // First Piola-Kirchhoff line forces under a prescribed F with the warp turned by theta: reference book 2.7.
   const Fabric f = off_axis_fabric();
-  struct Row { double theta; Matrix2d F, P; };
+  struct Row {
+    double theta;
+    Matrix2d F, P;
+  };
   const auto matrix = [](double a, double b, double c, double d) { return (Matrix2d() << a, b, c, d).finished(); };
-  for (const Row& row : {Row{0, matrix(1.2, 0, 0, 1), matrix(271.32579651, 0, 0, 20.34943474)},
-                         Row{45, matrix(1.2, 0, 0, 1), matrix(113.59054471, 47.48201439, 39.56834532, 72.65878726)},
-                         Row{30, matrix(1.1, 0.2, 0.05, 0.95), matrix(163.22787282, 102.55132978, 89.32389212, 36.64437801)}}) {
+  for (const Row& row :
+       {Row{0, matrix(1.2, 0, 0, 1), matrix(271.32579651, 0, 0, 20.34943474)},
+        Row{45, matrix(1.2, 0, 0, 1), matrix(113.59054471, 47.48201439, 39.56834532, 72.65878726)},
+        Row{30, matrix(1.1, 0.2, 0.05, 0.95), matrix(163.22787282, 102.55132978, 89.32389212, 36.64437801)}}) {
     const double c = std::cos(row.theta * M_PI / 180), s = std::sin(row.theta * M_PI / 180);
     const Matrix2d R = matrix(c, -s, s, c);  // columns: warp, weft
     const Matrix2d E = R.transpose() * 0.5 * (row.F.transpose() * row.F - Matrix2d::Identity()) * R;

@@ -9,7 +9,8 @@
 
 namespace snug::testing {
 
-inline materials::Fabric fabric(materials::TensionCurve warp, materials::TensionCurve weft, double poisson, double shear) {
+inline materials::Fabric fabric(materials::TensionCurve warp, materials::TensionCurve weft, double poisson,
+                                double shear) {
   materials::Fabric f;
   f.warp = warp;
   f.weft = weft;

@@ -11,8 +11,8 @@
 
 namespace snug::testing {
 
-/// Expects `derivative` (columns: derivative of `value` along each component of x) to be what central differences converge
-/// to with second order. Steps where round-off shows are left out; an exact polynomial passes by being exact.
+/// Expects `derivative` (columns: derivative of `value` along each component of x) to be what central differences
+/// converge to with second order. Steps where round-off shows are left out; an exact polynomial passes by being exact.
 inline void expect_derivative_by_rate(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& value,
                                       const Eigen::VectorXd& x, const Eigen::MatrixXd& derivative, double first_step) {
   const double scale = std::max(derivative.cwiseAbs().maxCoeff(), 1e-300);

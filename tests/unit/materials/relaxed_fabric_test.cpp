@@ -74,8 +74,12 @@ TEST(RelaxedFabric, ShearOfAnInfiniteStrip) {
   // Simple shear of an isotropic strip: line force along the larger principal strain, reference book 2.5
   // (relaxed St Venant-Kirchhoff, Eh = 1): P12 and P22.
   const Fabric f = fabric(TensionCurve::linear(1), TensionCurve::linear(1), 0.0, 0.5);
-  struct Row { double shear, p12, p22; };
-  for (const Row row : {Row{0.01, .002537750781, .002525093749}, {0.1, .029007805675, .027593652514}, {0.5, .254780097671, .198926289083}}) {
+  struct Row {
+    double shear, p12, p22;
+  };
+  for (const Row row : {Row{0.01, .002537750781, .002525093749},
+                        {0.1, .029007805675, .027593652514},
+                        {0.5, .254780097671, .198926289083}}) {
     const double g = row.shear;
     const auto r = f.relaxed({0.0, 0.5 * g * g, g}, 0.0);
     EXPECT_NEAR(r.force[2] + g * r.force[1], row.p12, 1e-12);
@@ -111,7 +115,8 @@ TEST(RelaxedFabric, IsTheMinimum) {
         for (int trial = 0; trial < 50; ++trial) {
           const double s = size * std::pow(10.0, -trial % 4);
           const Vector2d v = std::sqrt(s) * Vector2d(normal(random), normal(random));
-          const Vector2d w = trial % 2 == 0 ? Vector2d::Zero() : Vector2d(std::sqrt(s) * Vector2d(normal(random), normal(random)));
+          const Vector2d w =
+              trial % 2 == 0 ? Vector2d::Zero() : Vector2d(std::sqrt(s) * Vector2d(normal(random), normal(random)));
           const Vector3d A(v[0] * v[0] + w[0] * w[0], v[1] * v[1] + w[1] * w[1], 2 * (v[0] * v[1] + w[0] * w[1]));
           ASSERT_GE(f.unrelaxed(E + A).energy, r.energy * (1 - 1e-11)) << name << " " << E.transpose();
         }
@@ -130,7 +135,8 @@ TEST(RelaxedFabric, Convex) {
         ASSERT_LE(f.relaxed(0.5 * (a + b), 0.0).energy, mean * (1 + 1e-12) + 1e-22) << name;
         ASSERT_LT((ra.tangent - ra.tangent.transpose()).cwiseAbs().maxCoeff(), 1e-13 * largest_stiffness(f) * 100);
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(ra.tangent);
-        ASSERT_GE(eigen.eigenvalues()[0], -1e-12 * eigen.eigenvalues()[2] - 1e-12 * largest_stiffness(f)) << name << a.transpose();
+        ASSERT_GE(eigen.eigenvalues()[0], -1e-12 * eigen.eigenvalues()[2] - 1e-12 * largest_stiffness(f))
+            << name << a.transpose();
       }
 }
 
@@ -152,8 +158,8 @@ TEST(RelaxedFabric, ForceIsContinuous) {
     }
 }
 
-/// True when the stretched strain E + A stays away from the kinks of the curves' stiffness (zero and the data's end) and
-/// E from a change of state, so that a difference quotient over `step` has its asymptotic rate.
+/// True when the stretched strain E + A stays away from the kinks of the curves' stiffness (zero and the data's end)
+/// and E from a change of state, so that a difference quotient over `step` has its asymptotic rate.
 bool smooth_around(const Fabric& f, const Vector3d& E, double eta, double step) {
   const auto r = f.relaxed(E, 0.0);
   Vector3d stretched = E;
@@ -184,7 +190,9 @@ TEST(RelaxedFabric, TangentByRate) {
         ++tested;
         SCOPED_TRACE(std::string(name) + ", state " + std::to_string(int(f.relaxed(E, eta).state)));
         const auto r = f.relaxed(E, eta);
-        const auto energy = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, f.relaxed(x, eta).energy); };
+        const auto energy = [&](const Eigen::VectorXd& x) {
+          return Eigen::VectorXd::Constant(1, f.relaxed(x, eta).energy);
+        };
         const auto force = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd { return f.relaxed(x, eta).force; };
         expect_derivative_by_rate(energy, E, r.force.transpose(), step);
         expect_derivative_by_rate(force, E, r.tangent, step);

@@ -18,10 +18,10 @@ double green(double e) { return e + 0.5 * e * e; }
 double nominal(const TensionCurve& curve, double e) { return (1 + e) * curve.at(green(e)).force; }
 
 struct Worked {
-  double LT, WT, Fm;              // 1, gf cm/cm2, gf/cm
-  double a, initial_stiffness;    // 1, N/m
-  std::array<double, 4> force;    // N/m at a quarter, half, three quarters and the whole of EMT
-  double end_slope;               // N/m
+  double LT, WT, Fm;            // 1, gf cm/cm2, gf/cm
+  double a, initial_stiffness;  // 1, N/m
+  std::array<double, 4> force;  // N/m at a quarter, half, three quarters and the whole of EMT
+  double end_slope;             // N/m
 };
 const std::vector<Worked> worked = {
     {0.70, 12, 500, 27.80019296, 2379.713952, {52.26333, 136.43594, 272.00001, 490.33250}, 16011.0521},
@@ -35,12 +35,13 @@ TEST(TensionCurve, KesWorkedExamples) {
   for (const Worked& w : worked) {
     const TensionCurve curve = TensionCurve::kes(w.LT, w.WT * gf_per_cm, w.Fm * gf_per_cm);
     const double em = 2 * w.WT / (w.LT * w.Fm);
-    for (int q = 1; q <= 4; ++q) EXPECT_NEAR(nominal(curve, q * em / 4), w.force[q - 1], 6e-6) << w.LT << " quarter " << q;
+    for (int q = 1; q <= 4; ++q)
+      EXPECT_NEAR(nominal(curve, q * em / 4), w.force[q - 1], 6e-6) << w.LT << " quarter " << q;
     EXPECT_NEAR(curve.at(0.0).stiffness, w.initial_stiffness, 6e-7);
     EXPECT_NEAR(curve.at(green(em)).energy, w.WT * gf_per_cm, 1e-10);
     const auto end = curve.at(green(em));
     EXPECT_NEAR(end.stiffness * (1 + em) * (1 + em) + end.force, w.end_slope, 1e-4);  // back to dF/de
-    const double ratio = nominal(curve, em) / nominal(curve, em / 2) - 1;               // exp(a em / 2)
+    const double ratio = nominal(curve, em) / nominal(curve, em / 2) - 1;             // exp(a em / 2)
     EXPECT_NEAR(2 * std::log(ratio) / em, w.a, 1e-8 * w.a);
   }
 }
@@ -58,8 +59,8 @@ TEST(TensionCurve, AllLinearitiesKeepWorkAndForce) {
 }
 
 TEST(TensionCurve, RisesEverywhere) {
-  // S(E) is continuous with a continuous slope that nowhere falls below the smallest stiffness it states, not even for a
-  // strongly concave test (LT = 1.6) that would soften to nothing inside its own data.
+  // S(E) is continuous with a continuous slope that nowhere falls below the smallest stiffness it states, not even for
+  // a strongly concave test (LT = 1.6) that would soften to nothing inside its own data.
   auto fabrics = all_fabrics();
   const TensionCurve concave = TensionCurve::kes(1.6, 20.0, 49.0);
   fabrics.emplace_back("strongly concave", fabric(concave, concave, 0.2, 40));
@@ -71,7 +72,8 @@ TEST(TensionCurve, RisesEverywhere) {
     for (double E = -0.499; E < 4.0; E += step) {
       const auto next = f.warp.at(E);
       ASSERT_GE(next.stiffness, smallest * (1 - 1e-9)) << name << " E = " << E;
-      ASSERT_NEAR((next.force - last.force) / step, 0.5 * (next.stiffness + last.stiffness), 2e-3 * next.stiffness) << name << E;
+      ASSERT_NEAR((next.force - last.force) / step, 0.5 * (next.stiffness + last.stiffness), 2e-3 * next.stiffness)
+          << name << E;
       last = next;
     }
   }
@@ -83,10 +85,14 @@ TEST(TensionCurve, ValuesByRate) {
     for (double E : {-0.2, 0.03, 0.9}) {
       SCOPED_TRACE(name);
       const auto r = f.warp.at(E);
-      const auto energy = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, f.warp.at(x[0]).energy); };
+      const auto energy = [&](const Eigen::VectorXd& x) {
+        return Eigen::VectorXd::Constant(1, f.warp.at(x[0]).energy);
+      };
       const auto force = [&](const Eigen::VectorXd& x) { return Eigen::VectorXd::Constant(1, f.warp.at(x[0]).force); };
-      expect_derivative_by_rate(energy, Eigen::VectorXd::Constant(1, E), Eigen::MatrixXd::Constant(1, 1, r.force), 2e-3);
-      expect_derivative_by_rate(force, Eigen::VectorXd::Constant(1, E), Eigen::MatrixXd::Constant(1, 1, r.stiffness), 2e-3);
+      expect_derivative_by_rate(energy, Eigen::VectorXd::Constant(1, E), Eigen::MatrixXd::Constant(1, 1, r.force),
+                                2e-3);
+      expect_derivative_by_rate(force, Eigen::VectorXd::Constant(1, E), Eigen::MatrixXd::Constant(1, 1, r.stiffness),
+                                2e-3);
     }
 }
 
