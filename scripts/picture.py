@@ -101,8 +101,16 @@ def round_up(value):
         power *= 10
 
 
-def coloured(data, name, function):
+def towards_camera(mapper, depth_steps):
+    """Draws a sheet that lies on another one as if it were closer: the garment touches the skin."""
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(0, -depth_steps)
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -depth_steps)
+
+
+def coloured(data, name, function, depth_steps=0):
     mapper = vtk.vtkPolyDataMapper()
+    towards_camera(mapper, depth_steps)
     mapper.SetInputData(data)
     _, place = array_of(data, name)
     mapper.SetScalarModeToUsePointFieldData() if place == "point" else mapper.SetScalarModeToUseCellFieldData()
@@ -113,15 +121,14 @@ def coloured(data, name, function):
     return as_actor(mapper)
 
 
-def plain(data, colour, width=None, towards_camera=0):
+def plain(data, colour, width=None, depth_steps=0):
     mapper = vtk.vtkPolyDataMapper()
+    towards_camera(mapper, depth_steps)
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
     actor = as_actor(mapper)
     actor.GetProperty().SetColor(*colour)
     if width:
-        mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0, -towards_camera)
         actor.GetProperty().SetLineWidth(width)
         actor.GetProperty().LightingOff()
     return actor
@@ -213,7 +220,7 @@ def main():
     rows = []  # actors, colour function, title
     sheet = surface(garment) if garment else None
     skin = surface(deformed(body)) if body else None
-    edge = plain(outline(sheet), INK, 2.0, 40000) if sheet else None
+    edge = plain(outline(sheet), INK, 2.0, 80000) if sheet else None
     if skin and array_of(skin, "contact_pressure")[0]:
         scale(skin, "contact_pressure", PASCAL_PER_UNIT[arguments.unit])
         function = colours(HEAT, round_up(max(array_of(skin, "contact_pressure")[0].GetRange()[1], 1e-3)))
@@ -223,7 +230,7 @@ def main():
         # The thread system that carries the garment: the one with the larger maximum.
         top, name = max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
         function = colours(COOL, round_up(max(top, 1e-3)))
-        actors = [coloured(sheet, name, function), edge]
+        actors = [coloured(sheet, name, function, 40000), edge]
         if skin:
             actors.append(plain(skin, (0.88, 0.86, 0.84)))
         rows.append((actors, function, f"tension, {name.split('_')[1]}\nN/m"))
