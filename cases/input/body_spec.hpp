@@ -17,40 +17,58 @@ namespace snug::input {
 struct LayerSpec {
   std::string name;
   MaterialReference material;
-  std::optional<double> thickness;    ///< m; one solid layer may leave it out and takes the rest
-  std::string form = "solid";         ///< rigid | solid | membrane (skin: membrane by default)
-  int cells = 2;                      ///< hexahedra through the layer (solid)
+  std::optional<double> thickness;  ///< m; one solid layer may leave it out and takes the rest
+  std::string form = "solid";       ///< rigid | solid | membrane (skin: membrane by default)
+  int cells = 2;                    ///< hexahedra through the layer (solid)
   Location where;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "name", .meaning = "name of the layer in results and messages", .required = true}, self.name);
-    field(Field{.key = "material", .meaning = "\"rigid\", an entry of snug materials list, or a table of values", .required = true},
+    field(Field{.key = "material",
+                .meaning = "\"rigid\", an entry of snug materials list, or a table of values",
+                .required = true},
           self.material);
-    field(Field{.key = "thickness", .unit = "m", .meaning = "thickness; exactly one solid layer leaves it out and takes the rest",
-                .bound = positive()}, self.thickness);
-    field(Field{.key = "form", .meaning = "left out: rigid for the material \"rigid\", membrane for an outermost layer with a "
-                "thickness (skin), solid for the others", .choices = {"rigid", "solid", "membrane"}}, self.form);
+    field(Field{.key = "thickness",
+                .unit = "m",
+                .meaning = "thickness; exactly one solid layer leaves it out and takes the rest",
+                .bound = positive()},
+          self.thickness);
+    field(Field{.key = "form",
+                .meaning = "left out: rigid for the material \"rigid\", membrane for an outermost layer with a "
+                           "thickness (skin), solid for the others",
+                .choices = {"rigid", "solid", "membrane"}},
+          self.form);
     field(Field{.key = "cells", .meaning = "hexahedra through a solid layer", .bound = between(1, 40)}, self.cells);
   }
 };
 
 /// A named patch of skin: sector of angle round the axis and range of height. Angle 0 = side (+x), 90 deg = front (+y).
 struct LocationSpec {
-  std::string name;                   ///< key of the sensation curve, e.g. "Front thigh"
+  std::string name;                                              ///< key of the sensation curve, e.g. "Front thigh"
   double from_angle = std::numeric_limits<double>::quiet_NaN();  ///< rad; NaN until it is given
   double to_angle = std::numeric_limits<double>::quiet_NaN();    ///< rad
-  std::optional<double> from_height, to_height;         ///< m
+  std::optional<double> from_height, to_height;                  ///< m
   Location where = {};
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "name", .meaning = "name of the location, that of its sensation curve, e.g. \"Front thigh\"", .required = true},
+    field(Field{.key = "name",
+                .meaning = "name of the location, that of its sensation curve, e.g. \"Front thigh\"",
+                .required = true},
           self.name);
-    field(Field{.key = "from_angle", .unit = "rad", .meaning = "begin of the sector; 0 deg = side (+x), 90 deg = front (+y)",
-                .required = true, .bound = between(-7, 7)}, self.from_angle);
-    field(Field{.key = "to_angle", .unit = "rad", .meaning = "end of the sector, counter-clockwise from its begin",
-                .required = true, .bound = between(-7, 7)}, self.to_angle);
+    field(Field{.key = "from_angle",
+                .unit = "rad",
+                .meaning = "begin of the sector; 0 deg = side (+x), 90 deg = front (+y)",
+                .required = true,
+                .bound = between(-7, 7)},
+          self.from_angle);
+    field(Field{.key = "to_angle",
+                .unit = "rad",
+                .meaning = "end of the sector, counter-clockwise from its begin",
+                .required = true,
+                .bound = between(-7, 7)},
+          self.to_angle);
     field(Field{.key = "from_height", .unit = "m", .meaning = "lower end; left out: the lower cut"}, self.from_height);
     field(Field{.key = "to_height", .unit = "m", .meaning = "upper end; left out: the upper cut"}, self.to_height);
   }
@@ -58,15 +76,18 @@ struct LocationSpec {
 
 /// Bone outline for scans: an ellipse that follows the limb's centre line.
 struct BoneSpec {
-  double girth = 0.0;                 ///< m
+  double girth = 0.0;  ///< m
   double width_to_depth = 1.0;
-  std::array<double, 2> offset = {0.0, 0.0};            ///< m, from the section's centroid (x, y)
+  std::array<double, 2> offset = {0.0, 0.0};  ///< m, from the section's centroid (x, y)
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "girth", .unit = "m", .meaning = "girth of the bone", .required = true, .bound = positive()}, self.girth);
-    field(Field{.key = "width_to_depth", .meaning = "width (x) over depth (y)", .bound = between(0.2, 5)}, self.width_to_depth);
-    field(Field{.key = "offset", .unit = "m", .meaning = "centre of the bone from the centroid of the section (x, y)"}, self.offset);
+    field(Field{.key = "girth", .unit = "m", .meaning = "girth of the bone", .required = true, .bound = positive()},
+          self.girth);
+    field(Field{.key = "width_to_depth", .meaning = "width (x) over depth (y)", .bound = between(0.2, 5)},
+          self.width_to_depth);
+    field(Field{.key = "offset", .unit = "m", .meaning = "centre of the bone from the centroid of the section (x, y)"},
+          self.offset);
   }
 };
 
@@ -77,8 +98,11 @@ struct CutPlane {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "point", .unit = "m", .meaning = "a point of the plane, in the file's frame", .required = true}, self.point);
-    field(Field{.key = "normal", .meaning = "direction out of the piece that is kept, in the file's frame", .required = true},
+    field(Field{.key = "point", .unit = "m", .meaning = "a point of the plane, in the file's frame", .required = true},
+          self.point);
+    field(Field{.key = "normal",
+                .meaning = "direction out of the piece that is kept, in the file's frame",
+                .required = true},
           self.normal);
   }
 };
@@ -94,42 +118,57 @@ struct ScanSpec {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     const std::vector<std::string> axes = {"x", "y", "z", "-x", "-y", "-z"};
-    field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL or v/f text", .required = true}, self.surface);
-    field(Field{.key = "unit", .unit = "m", .meaning = "length of one unit of the file, e.g. \"1 mm\"", .bound = positive()},
+    field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL or v/f text", .required = true},
+          self.surface);
+    field(Field{.key = "unit",
+                .unit = "m",
+                .meaning = "length of one unit of the file, e.g. \"1 mm\"",
+                .bound = positive()},
           self.unit);
     field(Field{.key = "up", .meaning = "axis of the file that points up", .choices = axes}, self.up);
     field(Field{.key = "front", .meaning = "axis of the file that points to the front", .choices = axes}, self.front);
     field(Field{.key = "lower", .meaning = "plane of the lower cut", .required = true}, self.lower);
     field(Field{.key = "upper", .meaning = "plane of the upper cut", .required = true}, self.upper);
-    field(Field{.key = "smoothing_radius", .unit = "m", .meaning = "noise shorter than this is smoothed; 0 m: two cell widths",
-                .bound = non_negative()}, self.smoothing_radius);
+    field(Field{.key = "smoothing_radius",
+                .unit = "m",
+                .meaning = "noise shorter than this is smoothed; 0 m: two cell widths",
+                .bound = non_negative()},
+          self.smoothing_radius);
     field(Field{.key = "bone", .meaning = "outline of the bone", .required = true}, self.bone);
   }
 };
 
 struct BodySpec {
-  std::string kind = "stations";      ///< stations | scan
-  std::filesystem::path stations;     ///< CSV
+  std::string kind = "stations";   ///< stations | scan
+  std::filesystem::path stations;  ///< CSV
   std::optional<ScanSpec> scan;
   std::vector<LayerSpec> layers;
   std::vector<LocationSpec> locations;
   int cells_around = 24, cells_along = 12;
-  std::string ends = "sliding";       ///< cut planes: sliding (no axial displacement) | free | fixed
+  std::string ends = "sliding";  ///< cut planes: sliding (no axial displacement) | free | fixed
   Location where;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "kind", .meaning = "stations: girths along an axis; scan: a surface and two cut planes",
-                .choices = {"stations", "scan"}}, self.kind);
-    field(Field{.key = "stations", .meaning = "CSV file of the girths: height, girth, width_to_depth, centre_x, centre_y, "
-                "bone_girth, bone_width_to_depth, bone_x, bone_y"}, self.stations);
+    field(Field{.key = "kind",
+                .meaning = "stations: girths along an axis; scan: a surface and two cut planes",
+                .choices = {"stations", "scan"}},
+          self.kind);
+    field(Field{.key = "stations",
+                .meaning = "CSV file of the girths: height, girth, width_to_depth, centre_x, centre_y, "
+                           "bone_girth, bone_width_to_depth, bone_x, bone_y"},
+          self.stations);
     field(Field{.key = "scan", .meaning = "surface, cut planes and bone of a scan"}, self.scan);
     field(Field{.key = "layers", .meaning = "the layers from the inside out", .required = true}, self.layers);
     field(Field{.key = "locations", .meaning = "named patches of skin whose pressure is reported"}, self.locations);
-    field(Field{.key = "cells_around", .meaning = "hexahedra round the body", .bound = between(8, 720)}, self.cells_around);
-    field(Field{.key = "cells_along", .meaning = "hexahedra along the body", .bound = between(1, 720)}, self.cells_along);
-    field(Field{.key = "ends", .meaning = "cut planes: sliding (no displacement along the axis), free or fixed",
-                .choices = {"sliding", "free", "fixed"}}, self.ends);
+    field(Field{.key = "cells_around", .meaning = "hexahedra round the body", .bound = between(8, 720)},
+          self.cells_around);
+    field(Field{.key = "cells_along", .meaning = "hexahedra along the body", .bound = between(1, 720)},
+          self.cells_along);
+    field(Field{.key = "ends",
+                .meaning = "cut planes: sliding (no displacement along the axis), free or fixed",
+                .choices = {"sliding", "free", "fixed"}},
+          self.ends);
   }
 };
 

@@ -14,42 +14,51 @@
 namespace snug::input {
 
 struct ContactSpec {
-  std::string basis = "hat";          ///< hat | dual: test functions of the weighted gap
+  std::string basis = "hat";  ///< hat | dual: test functions of the weighted gap
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}}, self.basis);
+    field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}},
+          self.basis);
   }
 };
 
 struct ComfortSpec {
-  MaterialReference curves;           ///< "wear trial 2002" or a CSV file of the case
+  MaterialReference curves;  ///< "wear trial 2002" or a CSV file of the case
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "curves", .meaning = "sensation against pressure by location: \"wear trial 2002\" or a CSV file",
-                .required = true}, self.curves);
+    field(Field{.key = "curves",
+                .meaning = "sensation against pressure by location: \"wear trial 2002\" or a CSV file",
+                .required = true},
+          self.curves);
   }
 };
 
 /// Follower pressure on the skin (no garment needed).
 struct LoadSpec {
-  double skin_pressure = 0.0;         ///< Pa
+  double skin_pressure = 0.0;  ///< Pa
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "skin_pressure", .unit = "Pa", .meaning = "pressure on the whole skin, follows the deformed surface",
-                .required = true}, self.skin_pressure);
+    field(Field{.key = "skin_pressure",
+                .unit = "Pa",
+                .meaning = "pressure on the whole skin, follows the deformed surface",
+                .required = true},
+          self.skin_pressure);
   }
 };
 
 struct SolverSpec {
-  std::string tier = "L4";            ///< L0 | L1 | L4
+  std::string tier = "L4";  ///< L0 | L1 | L4
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "tier", .meaning = "L0: tension times curvature on the undeformed skin; L1: rigid skin; "
-                "L4: nonlinear layered body", .choices = {"L0", "L1", "L4"}}, self.tier);
+    field(Field{.key = "tier",
+                .meaning = "L0: tension times curvature on the undeformed skin; L1: rigid skin; "
+                           "L4: nonlinear layered body",
+                .choices = {"L0", "L1", "L4"}},
+          self.tier);
   }
 };
 

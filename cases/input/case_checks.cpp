@@ -17,11 +17,12 @@ struct Unavailable {
 
 /// Inputs that are planned, so that they are not mistaken for misspellings.
 std::vector<Unavailable> unavailable() {
-  return {{"contact", "friction", "friction is not available yet; leave it out: contact is frictionless"},
-          {"body", "imported", "imported meshes are not available yet; use kind = \"stations\" or \"scan\""},
-          {"garment", "bending", "bending is not available yet; leave it out"},
-          {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"},
-          {"", "reference", "comparison with reference tables is not available yet; leave [reference] out"}};
+  return {
+      {"contact", "friction", "friction is not available yet; leave it out: contact is frictionless"},
+      {"body", "imported", "imported meshes are not available yet; use kind = \"stations\" or \"scan\""},
+      {"garment", "bending", "bending is not available yet; leave it out"},
+      {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"},
+      {"", "reference", "comparison with reference tables is not available yet; leave [reference] out"}};
 }
 
 void check_layer_order(const std::vector<LayerSpec>& layers, Diagnostics& diagnostics) {
@@ -64,7 +65,8 @@ void check_names(const BodySpec& body, Diagnostics& diagnostics) {
   std::set<std::string> seen;
   for (const LayerSpec& layer : body.layers)
     if (!seen.insert(layer.name).second && !layer.name.empty())
-      diagnostics.error(layer.where, fmt::format("a second layer is called \"{}\"", layer.name), "give each layer its own name");
+      diagnostics.error(layer.where, fmt::format("a second layer is called \"{}\"", layer.name),
+                        "give each layer its own name");
   seen.clear();
   for (const LocationSpec& location : body.locations)
     if (!seen.insert(location.name).second && !location.name.empty())
@@ -76,9 +78,10 @@ void check_locations(const BodySpec& body, Diagnostics& diagnostics) {
   for (const LocationSpec& location : body.locations) {
     const double sector = location.to_angle - location.from_angle;
     if (!std::isnan(sector) && !(sector > 0.0 && sector <= 2.0 * std::numbers::pi + 1e-12))
-      diagnostics.error(location.where,
-                        fmt::format("the sector of \"{}\" is {:.4g} deg wide", location.name, sector * 180.0 / std::numbers::pi),
-                        "let to_angle lie above from_angle by at most 360 deg, e.g. from \"-45 deg\" to \"45 deg\"");
+      diagnostics.error(
+          location.where,
+          fmt::format("the sector of \"{}\" is {:.4g} deg wide", location.name, sector * 180.0 / std::numbers::pi),
+          "let to_angle lie above from_angle by at most 360 deg, e.g. from \"-45 deg\" to \"45 deg\"");
     if (location.from_height && location.to_height && !(*location.to_height > *location.from_height))
       diagnostics.error(location.where, fmt::format("to_height of \"{}\" is not above from_height", location.name),
                         "heights count upwards from the lower cut's side");
@@ -89,11 +92,13 @@ void check_kind(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   const bool scan = body.kind == "scan";
   const std::string used = scan ? "scan" : "stations", unused = scan ? "stations" : "scan";
   if (!table.find(used))
-    diagnostics.error(body.where, fmt::format("kind = \"{}\" needs {}", body.kind, scan ? "a section [body.scan]" : "stations"),
+    diagnostics.error(body.where,
+                      fmt::format("kind = \"{}\" needs {}", body.kind, scan ? "a section [body.scan]" : "stations"),
                       scan ? "add [body.scan] with surface, lower, upper and bone"
                            : "name the CSV file of the girths: stations = \"body/limb.csv\"");
   if (table.find(unused))
-    diagnostics.error(table.where_is(unused), fmt::format("{} is given, but kind = \"{}\" does not use it", unused, body.kind),
+    diagnostics.error(table.where_is(unused),
+                      fmt::format("{} is given, but kind = \"{}\" does not use it", unused, body.kind),
                       fmt::format("leave it out or write kind = \"{}\"", unused));
 }
 
@@ -103,7 +108,8 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   check_locations(body, diagnostics);
   if (!table.find("layers")) return;  // already reported
   if (body.layers.empty())
-    return diagnostics.error(table.where_is("layers"), "the body has no layers", "list them from the inside out, the bone first");
+    return diagnostics.error(table.where_is("layers"), "the body has no layers",
+                             "list them from the inside out, the bone first");
   check_layer_order(body.layers, diagnostics);
   check_thicknesses(body, diagnostics);
 }
@@ -120,13 +126,15 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
     diagnostics.error(root.where_is(key), found, remedy);
   };
   const bool body = root.find("body"), garment = root.find("garment"), load = root.find("load");
-  if (!body && !garment) error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
+  if (!body && !garment)
+    error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
   if (garment && !body)
     error("garment", "there is a [garment] but no [body]",
           "add [body]; for a rigid one write tier = \"L1\" in [solver]. A garment alone is not available yet");
   if (garment && body && !root.find("contact"))
     error("garment", "there is a [garment] on a [body] but no [contact]: they would not touch", "add a line [contact]");
-  if (root.find("contact") && !garment) error("contact", "there is [contact] but no [garment]", "add [garment] or leave [contact] out");
+  if (root.find("contact") && !garment)
+    error("contact", "there is [contact] but no [garment]", "add [garment] or leave [contact] out");
   if (root.find("comfort") && !root.find("contact"))
     error("comfort", "[comfort] judges contact pressure, but there is no [contact]",
           "add [garment] and [contact], or leave [comfort] out");
@@ -137,7 +145,8 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
 void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
   if (c.solver.tier == "L4") return;
   if (root.find("load"))
-    diagnostics.error(root.where_is("load"), fmt::format("tier {} has a rigid body, which no [load] deforms", c.solver.tier),
+    diagnostics.error(root.where_is("load"),
+                      fmt::format("tier {} has a rigid body, which no [load] deforms", c.solver.tier),
                       "use tier L4 or leave [load] out");
 }
 

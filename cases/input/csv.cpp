@@ -73,14 +73,16 @@ bool factor_of(const Csv::Column& column, const std::string& si_unit, double& fa
                       "this column is a plain number: leave the unit out");
     return false;
   }
-  const std::string remedy = fmt::format("give {} in the head, e.g. {} [{}]", dimension_name(si_unit), column.name, si_unit);
+  const std::string remedy =
+      fmt::format("give {} in the head, e.g. {} [{}]", dimension_name(si_unit), column.name, si_unit);
   if (column.unit.empty()) {
     diagnostics.error(column.where, fmt::format("the column {} has no unit", column.name), remedy);
     return false;
   }
   if (unit_factor(column.unit, si_unit, factor)) return true;
   diagnostics.error(column.where,
-                    fmt::format("[{}] of the column {} is not {}", column.unit, column.name, dimension_name(si_unit)), remedy);
+                    fmt::format("[{}] of the column {} is not {}", column.unit, column.name, dimension_name(si_unit)),
+                    remedy);
   return false;
 }
 
@@ -150,7 +152,8 @@ std::vector<double> numbers(const Csv& csv, const std::string& column, const std
     if (parse_number(csv.rows[r].cells[index], value)) {
       values.push_back(value * factor);
     } else {
-      diagnostics.error(csv.place(r, index), fmt::format("\"{}\" in the column {} is no number", csv.rows[r].cells[index], column),
+      diagnostics.error(csv.place(r, index),
+                        fmt::format("\"{}\" in the column {} is no number", csv.rows[r].cells[index], column),
                         "give a number with a decimal point and without a unit");
     }
   }

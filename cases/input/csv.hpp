@@ -34,9 +34,9 @@ struct Csv {
 /// Reads a CSV file. A missing file, a missing head and rows of another length are reported; such rows are left out.
 Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as = {});
 
-/// The numbers of a column in SI. `si_unit` empty: plain numbers, and a unit in the head is an error; otherwise the head
-/// must give a unit of that dimension in brackets: "girth [mm]".
-/// Reports what is wrong and gives an empty vector when the column is missing or not all numbers.
+/// The numbers of a column in SI. `si_unit` empty: plain numbers, and a unit in the head is an error; otherwise the
+/// head must give a unit of that dimension in brackets: "girth [mm]". Reports what is wrong and gives an empty vector
+/// when the column is missing or not all numbers.
 std::vector<double> numbers(const Csv& csv, const std::string& column, const std::string& si_unit,
                             Diagnostics& diagnostics);
 

@@ -39,7 +39,8 @@ std::string lines(const std::vector<Diagnostic>& errors) {
 
 }  // namespace
 
-InputError::InputError(std::vector<Diagnostic> errors) : std::runtime_error(lines(errors)), errors_(std::move(errors)) {}
+InputError::InputError(std::vector<Diagnostic> errors)
+    : std::runtime_error(lines(errors)), errors_(std::move(errors)) {}
 
 InputError::InputError(Location where, std::string found, std::string remedy)
     : InputError(std::vector<Diagnostic>{{std::move(where), std::move(found), std::move(remedy)}}) {}

@@ -6,10 +6,13 @@ namespace snug::input {
 
 std::optional<Value> Echo::value_of(const Field& field, double member) const {
   if (field.unit.empty()) return value_without_place(member);
-  return value_without_place(fmt::format("{} {}", member, field.unit));  // shortest text that reads back to the same number
+  return value_without_place(
+      fmt::format("{} {}", member, field.unit));  // shortest text that reads back to the same number
 }
 
-std::optional<Value> Echo::value_of(const Field&, int member) const { return value_without_place(static_cast<long long>(member)); }
+std::optional<Value> Echo::value_of(const Field&, int member) const {
+  return value_without_place(static_cast<long long>(member));
+}
 
 std::optional<Value> Echo::value_of(const Field&, bool member) const { return value_without_place(member); }
 

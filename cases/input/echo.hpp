@@ -46,9 +46,13 @@ class Echo {
     return value_without_place(std::move(values));
   }
   template <class T>
-  std::optional<Value> value_of(const Field& field, const std::vector<T>& member) const { return list_of(field, member); }
+  std::optional<Value> value_of(const Field& field, const std::vector<T>& member) const {
+    return list_of(field, member);
+  }
   template <class T, std::size_t N>
-  std::optional<Value> value_of(const Field& field, const std::array<T, N>& member) const { return list_of(field, member); }
+  std::optional<Value> value_of(const Field& field, const std::array<T, N>& member) const {
+    return list_of(field, member);
+  }
   template <class T>
   std::optional<Value> value_of(const Field&, const T& member) const {
     Echo inner(directory_);

@@ -31,7 +31,7 @@ inline Bound between(double low, double high) { return {.low = low, .high = high
 /// The description of one input.
 struct Field {
   std::string key;
-  std::string unit = {};     ///< SI unit of a quantity ("m", "Pa", "N/m", "rad"); empty for text, counts and ratios
+  std::string unit = {};  ///< SI unit of a quantity ("m", "Pa", "N/m", "rad"); empty for text, counts and ratios
   std::string meaning = {};
   bool required = false;
   Bound bound = {};

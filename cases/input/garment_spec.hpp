@@ -11,49 +11,68 @@ namespace snug::input {
 
 struct PatternSpec {
   std::string kind = "tube";
-  double flat_circumference = 0.0;    ///< m
-  double length = 0.0;                ///< m
+  double flat_circumference = 0.0;  ///< m
+  double length = 0.0;              ///< m
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length", .choices = {"tube"}}, self.kind);
-    field(Field{.key = "flat_circumference", .unit = "m", .meaning = "circumference of the tube as cut, without tension",
-                .required = true, .bound = positive()}, self.flat_circumference);
-    field(Field{.key = "length", .unit = "m", .meaning = "length of the tube as cut", .required = true, .bound = positive()},
+    field(Field{.key = "flat_circumference",
+                .unit = "m",
+                .meaning = "circumference of the tube as cut, without tension",
+                .required = true,
+                .bound = positive()},
+          self.flat_circumference);
+    field(Field{.key = "length",
+                .unit = "m",
+                .meaning = "length of the tube as cut",
+                .required = true,
+                .bound = positive()},
           self.length);
   }
 };
 
 struct HeldEdge {
-  std::string edge;                   ///< upper | lower
-  std::string held = "axis";          ///< axis: no displacement along the body's axis | all
+  std::string edge;           ///< upper | lower
+  std::string held = "axis";  ///< axis: no displacement along the body's axis | all
   Location where = {};
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "edge", .meaning = "edge of the garment", .required = true, .choices = {"upper", "lower"}}, self.edge);
-    field(Field{.key = "held", .meaning = "axis: no displacement along the body's axis; all: none at all",
-                .choices = {"axis", "all"}}, self.held);
+    field(Field{.key = "edge", .meaning = "edge of the garment", .required = true, .choices = {"upper", "lower"}},
+          self.edge);
+    field(Field{.key = "held",
+                .meaning = "axis: no displacement along the body's axis; all: none at all",
+                .choices = {"axis", "all"}},
+          self.held);
   }
 };
 
 struct GarmentSpec {
   PatternSpec pattern;
   MaterialReference fabric;
-  std::string warp = "along";         ///< along | around the body's axis
-  double position = 0.0;              ///< m; height of the lower edge as placed
-  double cell_size = 0.0;             ///< m; 0 = the skin's mean cell size
+  std::string warp = "along";  ///< along | around the body's axis
+  double position = 0.0;       ///< m; height of the lower edge as placed
+  double cell_size = 0.0;      ///< m; 0 = the skin's mean cell size
   std::vector<HeldEdge> held;
   Location where;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "pattern", .meaning = "the pieces as cut", .required = true}, self.pattern);
-    field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values", .required = true}, self.fabric);
-    field(Field{.key = "warp", .meaning = "warp (wale) direction against the body's axis", .choices = {"along", "around"}}, self.warp);
-    field(Field{.key = "position", .unit = "m", .meaning = "height of the lower edge as placed", .required = true}, self.position);
-    field(Field{.key = "cell_size", .unit = "m", .meaning = "edge length of the triangles; 0 m: the mean cell size of the skin",
-                .bound = non_negative()}, self.cell_size);
+    field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values", .required = true},
+          self.fabric);
+    field(
+        Field{
+            .key = "warp", .meaning = "warp (wale) direction against the body's axis", .choices = {"along", "around"}},
+        self.warp);
+    field(Field{.key = "position", .unit = "m", .meaning = "height of the lower edge as placed", .required = true},
+          self.position);
+    field(Field{.key = "cell_size",
+                .unit = "m",
+                .meaning = "edge length of the triangles; 0 m: the mean cell size of the skin",
+                .bound = non_negative()},
+          self.cell_size);
     field(Field{.key = "held", .meaning = "edges that the wearer or a band holds"}, self.held);
   }
 };

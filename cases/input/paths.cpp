@@ -26,7 +26,8 @@ std::vector<std::string> names_beside(const fs::path& file) {
 
 }  // namespace
 
-fs::path resolve_path(const std::string& text, const Location& where, const ReadRules& rules, Diagnostics& diagnostics) {
+fs::path resolve_path(const std::string& text, const Location& where, const ReadRules& rules,
+                      Diagnostics& diagnostics) {
   const fs::path given(text);
   const fs::path file = (rules.directory / given).lexically_normal();
   if (!rules.allow_outside && (given.is_absolute() || leaves(file, rules.directory))) {

@@ -21,8 +21,10 @@ void resolve_curves(MaterialReference& curves, const ReadRules& rules, Diagnosti
 Table parse_case(const fs::path& directory, Diagnostics& diagnostics) {
   if (fs::is_directory(directory)) return parse_file(directory / "case.toml", diagnostics);
   const bool is_file = fs::exists(directory);
-  diagnostics.error({directory.string(), 0, 0}, is_file ? "this is a file, not a case directory" : "there is no such case directory",
-                    is_file ? "name the directory that holds case.toml" : "correct its name, or make one with snug new NAME --like CASE");
+  diagnostics.error({directory.string(), 0, 0},
+                    is_file ? "this is a file, not a case directory" : "there is no such case directory",
+                    is_file ? "name the directory that holds case.toml"
+                            : "correct its name, or make one with snug new NAME --like CASE");
   return {};
 }
 

@@ -51,8 +51,8 @@ std::optional<double> quantity(const Field& field, const Value& value, Diagnosti
   double storage = 0.0;
   if (const double* number = value.number(storage)) {
     diagnostics.error(value.where, fmt::format("{} is the bare number {}", field.key, *number),
-                      fmt::format("a unit is due here: write \"{} {}\" if SI was meant, e.g. \"{}\"", *number, field.unit,
-                                  example_quantity(field.unit)));
+                      fmt::format("a unit is due here: write \"{} {}\" if SI was meant, e.g. \"{}\"", *number,
+                                  field.unit, example_quantity(field.unit)));
     return std::nullopt;
   }
   if (!value.text()) {
@@ -96,8 +96,7 @@ void Reader::convert(const Field& field, const Value& value, double& member) con
 
 void Reader::convert(const Field& field, const Value& value, int& member) const {
   const auto* integer = std::get_if<long long>(&value.data);
-  if (!integer)
-    return diagnostics_.error(value.where, field.key + " is " + value.description(), "give a whole number");
+  if (!integer) return diagnostics_.error(value.where, field.key + " is " + value.description(), "give a whole number");
   check_bound(field, value, static_cast<double>(*integer), diagnostics_);
   member = static_cast<int>(std::clamp<long long>(*integer, -2147483647, 2147483647));
 }
@@ -112,8 +111,7 @@ void Reader::convert(const Field& field, const Value& value, bool& member) const
 
 void Reader::convert(const Field& field, const Value& value, std::string& member) const {
   const std::string* text = value.text();
-  if (!text)
-    return diagnostics_.error(value.where, field.key + " is " + value.description(), "give a text in quotes");
+  if (!text) return diagnostics_.error(value.where, field.key + " is " + value.description(), "give a text in quotes");
   const auto& choices = field.choices;
   if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end())
     return diagnostics_.error(value.where, "\"" + *text + "\" is no " + field.key, did_you_mean(*text, choices));
@@ -123,9 +121,10 @@ void Reader::convert(const Field& field, const Value& value, std::string& member
 void Reader::convert(const Field& field, const Value& value, std::filesystem::path& member) const {
   const std::string* text = value.text();
   if (!text || text->empty())
-    return diagnostics_.error(value.where, field.key + " is " + value.description(), "give the name of a file in quotes");
-  member = rules_.directory.empty() ? std::filesystem::path(*text)
-                                    : resolve_path(*text, value.where, rules_, diagnostics_);
+    return diagnostics_.error(value.where, field.key + " is " + value.description(),
+                              "give the name of a file in quotes");
+  member =
+      rules_.directory.empty() ? std::filesystem::path(*text) : resolve_path(*text, value.where, rules_, diagnostics_);
 }
 
 void Reader::convert(const Field& field, const Value& value, MaterialReference& member) const {
@@ -172,7 +171,8 @@ std::string read_choice(const Table& table, const std::string& key, const std::v
 }
 
 std::optional<double> read_number(const Field& field, const Value& value, Diagnostics& diagnostics) {
-  const auto number = field.unit.empty() ? plain_number(field, value, diagnostics) : quantity(field, value, diagnostics);
+  const auto number =
+      field.unit.empty() ? plain_number(field, value, diagnostics) : quantity(field, value, diagnostics);
   if (number && !std::isfinite(*number)) {
     diagnostics.error(value.where, field.key + " is " + value.description(), "give a finite number");
     return std::nullopt;

@@ -63,8 +63,9 @@ std::string explanation(const ReferenceRow& row) {
   line(text, "meaning", row.field.meaning);
   line(text, "kind", row.kind + (row.field.required ? ", required" : ""));
   if (!row.field.unit.empty())
-    line(text, "unit", fmt::format("{} in SI; any unit of {}, e.g. \"{}\"", row.field.unit,
-                                   dimension_name(row.field.unit), example_quantity(row.field.unit)));
+    line(text, "unit",
+         fmt::format("{} in SI; any unit of {}, e.g. \"{}\"", row.field.unit, dimension_name(row.field.unit),
+                     example_quantity(row.field.unit)));
   line(text, "choices", joined(row.field.choices));
   line(text, "bound", bound_line(row.field));
   line(text, "default", row.default_value);

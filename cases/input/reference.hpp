@@ -15,8 +15,8 @@ namespace snug::input {
 
 /// One input as a reader of the reference sees it.
 struct ReferenceRow {
-  std::string key;            ///< with its sections: "body.layers[].thickness"
-  std::string kind;           ///< "text", "quantity", "number", "whole number", "file", "material", "section", "list of ..."
+  std::string key;   ///< with its sections: "body.layers[].thickness"
+  std::string kind;  ///< "text", "quantity", "number", "whole number", "file", "material", "section", "list of ..."
   Field field;
   std::string default_value;  ///< as written in a case; empty when there is none
 };

@@ -12,8 +12,8 @@ namespace {
 
 /// Where the parser's places lie in the file that the user sees.
 struct Origin {
-  Location base;     ///< place of the first character of the text
-  int prefix = 0;    ///< characters put before the text for the parser
+  Location base;   ///< place of the first character of the text
+  int prefix = 0;  ///< characters put before the text for the parser
   std::vector<std::string> lines = {};
 
   Location place(int line, int column) const {
@@ -62,18 +62,29 @@ Value converted(const toml::value& value, const Origin& origin) {
   Value result;
   result.where = place_of(value.location(), origin);
   switch (value.type()) {
-    case toml::value_t::boolean: result.data = value.as_boolean(); break;
-    case toml::value_t::integer: result.data = static_cast<long long>(value.as_integer()); break;
-    case toml::value_t::floating: result.data = static_cast<double>(value.as_floating()); break;
-    case toml::value_t::string: result.data = std::string(value.as_string().str); break;
-    case toml::value_t::table: result.data = converted_table(value, origin); break;
+    case toml::value_t::boolean:
+      result.data = value.as_boolean();
+      break;
+    case toml::value_t::integer:
+      result.data = static_cast<long long>(value.as_integer());
+      break;
+    case toml::value_t::floating:
+      result.data = static_cast<double>(value.as_floating());
+      break;
+    case toml::value_t::string:
+      result.data = std::string(value.as_string().str);
+      break;
+    case toml::value_t::table:
+      result.data = converted_table(value, origin);
+      break;
     case toml::value_t::array: {
       std::vector<Value> items;
       for (const auto& item : value.as_array()) items.push_back(converted(item, origin));
       result.data = std::move(items);
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return result;
 }
@@ -168,7 +179,8 @@ Table parse_file(const std::filesystem::path& path, Diagnostics& diagnostics, co
   Location where{.file = shown_as.empty() ? path.string() : shown_as};
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path)) {
-    diagnostics.error(where, "there is no such file", "write it, or start from a shipped case with snug new NAME --like CASE");
+    diagnostics.error(where, "there is no such file",
+                      "write it, or start from a shipped case with snug new NAME --like CASE");
     return empty_table(where);
   }
   std::ostringstream text;

@@ -60,7 +60,8 @@ std::string inline_text(const Value& value) { return std::visit(InlineText{}, va
 bool is_section(const Value& value) {
   if (value.table()) return true;
   const auto* items = value.array();
-  return items && !items->empty() && std::all_of(items->begin(), items->end(), [](const Value& v) { return v.table(); });
+  return items && !items->empty() &&
+         std::all_of(items->begin(), items->end(), [](const Value& v) { return v.table(); });
 }
 
 void write_section(const Table& table, const std::string& prefix, std::string& text) {
@@ -129,9 +130,8 @@ std::string Value::description() const {
 }
 
 std::string placed_text(const Table& table) {
-  const bool one_line = std::all_of(table.entries.begin(), table.entries.end(), [&](const Entry& entry) {
-    return entry.where.line == table.where.line;
-  });
+  const bool one_line = std::all_of(table.entries.begin(), table.entries.end(),
+                                    [&](const Entry& entry) { return entry.where.line == table.where.line; });
   return one_line ? on_one_line(table) : on_many_lines(table);
 }
 

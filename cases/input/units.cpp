@@ -36,9 +36,7 @@ std::string plain(std::string unit) {
   return std::regex_replace(unit, std::regex(R"(\s+)"), " ");
 }
 
-Unit parse_unit(const std::string& text) {
-  return Unit(ut_parse(unit_system(), plain(text).c_str(), UT_UTF8));
-}
+Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), plain(text).c_str(), UT_UTF8)); }
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");

@@ -25,11 +25,14 @@ std::string plain(std::string key) {
   return key;
 }
 
+std::string last_part(const std::string& key) { return plain(key.substr(key.rfind('.') + 1)); }
+
 /// The whole key, its last part, or a section before it.
 bool matches(const std::string& key, const std::string& asked) {
   const std::string full = plain(key), wanted = plain(asked);
   if (full == wanted) return true;
-  return full.size() > wanted.size() && full.compare(full.size() - wanted.size() - 1, std::string::npos, "." + wanted) == 0;
+  return full.size() > wanted.size() &&
+         full.compare(full.size() - wanted.size() - 1, std::string::npos, "." + wanted) == 0;
 }
 
 class Explain : public Command {
@@ -43,11 +46,11 @@ class Explain : public Command {
     std::string text;
     std::vector<std::string> known;
     for (const input::ReferenceRow& row : whole_reference()) {
-      known.push_back(plain(row.key));
+      known.push_back(last_part(row.key));
       if (matches(row.key, key_)) text += explanation(row);
     }
     if (text.empty()) {
-      const std::string near = input::nearest(key_, known);
+      const std::string near = input::nearest(last_part(key_), known);
       throw input::InputError({"snug explain", 0, 0}, "there is no key " + key_,
                               (near.empty() ? "" : "did you mean " + near + "? ") + "snug list shows all of them");
     }

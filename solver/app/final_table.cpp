@@ -32,15 +32,18 @@ std::string balance_text(const postproc::RunResult& run) {
   for (const auto& [name, reaction] : balance.reactions)
     text += fmt::format("  reaction           {}: {:.3g} {:.3g} {:.3g} N (x y z)\n", name, reaction.x(), reaction.y(),
                         reaction.z());
-  if (balance.contact_force > 0.0) text += fmt::format("  penetration        {:.1e} mm at most\n", run.max_penetration * 1e3);
+  if (balance.contact_force > 0.0)
+    text += fmt::format("  penetration        {:.1e} mm at most\n", run.max_penetration * 1e3);
   return text;
 }
 
 std::string sanity_text(const postproc::RunResult& run) {
   const double p = run.mean_laplace_pressure;
   if (!(p > 0.0)) return {};
-  return fmt::format("  L0 sanity value    {:.0f} Pa, {:.2f} gf/cm2, {:.2f} mmHg (tension x curvature on the undeformed skin, "
-                     "mean over the cover)\n", p, to_gf_cm2(p), to_mmHg(p));
+  return fmt::format(
+      "  L0 sanity value    {:.0f} Pa, {:.2f} gf/cm2, {:.2f} mmHg (tension x curvature on the undeformed skin, "
+      "mean over the cover)\n",
+      p, to_gf_cm2(p), to_mmHg(p));
 }
 
 std::string phases_text(const postproc::RunResult& run) {
@@ -58,8 +61,8 @@ std::string phases_text(const postproc::RunResult& run) {
 std::string locations_text(const postproc::Evaluation& evaluation) {
   std::string text;
   if (!evaluation.locations.empty())
-    text += fmt::format("  {:<16} {:>7} {:>9} {:>9} {:>8} {:>9}  {}\n", "location", "cover", "mean [Pa]", "[gf/cm2]", "[mmHg]",
-                        "max [Pa]", "rating 0-4");
+    text += fmt::format("  {:<16} {:>7} {:>9} {:>9} {:>8} {:>9}  {}\n", "location", "cover", "mean [Pa]", "[gf/cm2]",
+                        "[mmHg]", "max [Pa]", "rating 0-4");
   for (const postproc::LocationRow& row : evaluation.locations)
     text += fmt::format("  {:<16} {:>5.0f} % {:>9.0f} {:>9.2f} {:>8.2f} {:>9.0f}  {}\n", row.name, row.coverage * 100.0,
                         row.mean_pressure, to_gf_cm2(row.mean_pressure), to_mmHg(row.mean_pressure), row.max_pressure,
@@ -72,8 +75,8 @@ std::string locations_text(const postproc::Evaluation& evaluation) {
 
 std::string final_text(const postproc::RunResult& run, const postproc::Evaluation& evaluation,
                        const std::filesystem::path& out) {
-  std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, run.status, run.increments,
-                                 run.iterations);
+  std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, run.status,
+                                 run.increments, run.iterations);
   text += locations_text(evaluation) + balance_text(run) + sanity_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}\n", memory_text(run.peak_memory));
   return text + fmt::format("  files              {}\n", out.string());

@@ -61,7 +61,8 @@ class Mesh : public Command {
     fmt::print("{}\n\n{}", prepared.description.title, quality_text(prepared));
     const solver::Meshes& meshes = prepared.meshes;
     if (!meshes.body.nodes.empty()) postproc::write_body(undeformed(meshes.body), {}, out.aside() / "body.vtu");
-    if (!meshes.garment.triangles.empty()) postproc::write_garment(as_placed(meshes.garment), out.aside() / "garment.vtu");
+    if (!meshes.garment.triangles.empty())
+      postproc::write_garment(as_placed(meshes.garment), out.aside() / "garment.vtu");
     out.commit();
     fmt::print("  files: {}\n", out.target().string());
     return done;

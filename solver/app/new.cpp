@@ -43,17 +43,21 @@ class New : public Command {
 
   void declare(CLI::App& app) override {
     app.add_option("NAME", directory_, "directory to make")->required();
-    app.add_option("--like", like_, "the case to copy (snug list names them)")->type_name("CASE")->capture_default_str();
+    app.add_option("--like", like_, "the case to copy (snug list names them)")
+        ->type_name("CASE")
+        ->capture_default_str();
   }
 
   int execute() override {
     const fs::path from = model_directory(like_);
     if (fs::exists(directory_))
-      throw input::InputError({directory_, 0, 0}, "this is there already", "choose another name; nothing is overwritten");
+      throw input::InputError({directory_, 0, 0}, "this is there already",
+                              "choose another name; nothing is overwritten");
     const std::string aside = directory_ + ".tmp-" + std::to_string(::getpid());
     copy_case(from, aside);
     fs::rename(aside, directory_);
-    fmt::print("{} is a copy of {}. Next: edit {}/case.toml, then snug check {}\n", directory_, like_, directory_, directory_);
+    fmt::print("{} is a copy of {}. Next: edit {}/case.toml, then snug check {}\n", directory_, like_, directory_,
+               directory_);
     return done;
   }
 

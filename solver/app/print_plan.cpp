@@ -34,8 +34,8 @@ std::string plan_text(const std::string& title, const solver::Plan& plan) {
 }
 
 std::string quality_text(const PreparedCase& prepared) {
-  std::string text = fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells", "min jacobian",
-                                 "mean jacobian", "aspect", "volume [ml]");
+  std::string text = fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells",
+                                 "min jacobian", "mean jacobian", "aspect", "volume [ml]");
   for (const mesh::QualityRow& row : prepared.quality)
     text += fmt::format("  {:<16} {:>8} {:>14.3f} {:>14.3f} {:>10.1f} {:>12.1f}\n", row.layer, row.cells,
                         row.min_scaled_jacobian, row.mean_scaled_jacobian, row.max_aspect, row.volume * 1e6);

@@ -34,8 +34,8 @@ int execute(Command& command) {
     fmt::print(stderr, "{}\n", error.what());
     return input_wrong;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "snug {}: error: {}; this is a fault of snug or of the machine, not of the input\n", command.name(),
-               error.what());
+    fmt::print(stderr, "snug {}: error: {}; this is a fault of snug or of the machine, not of the input\n",
+               command.name(), error.what());
   } catch (...) {
     fmt::print(stderr, "snug {}: error: unknown fault; this is a fault of snug, not of the input\n", command.name());
   }

@@ -22,8 +22,9 @@ bool same_increment(const solver::Progress& a, const solver::Progress& b) {
 }  // namespace
 
 std::string progress_text(const solver::Progress& p) {
-  std::string text = fmt::format("{:<12} increment {:>3}  s {:.3f}  Newton {:>2}  residual {:.1e}  contact {:>5}  {:.0f} s",
-                                 p.phase, p.increment, p.load, p.iteration, p.residual, p.contact_nodes, p.elapsed);
+  std::string text =
+      fmt::format("{:<12} increment {:>3}  s {:.3f}  Newton {:>2}  residual {:.1e}  contact {:>5}  {:.0f} s", p.phase,
+                  p.increment, p.load, p.iteration, p.residual, p.contact_nodes, p.elapsed);
   if (p.expected > 0.0) text += fmt::format(" of about {:.0f} s", p.expected);
   return text;
 }

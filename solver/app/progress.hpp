@@ -25,7 +25,7 @@ class ProgressLine {
 
  private:
   bool quiet_, terminal_;
-  bool open_ = false;                   ///< a line is on the terminal without its end
+  bool open_ = false;  ///< a line is on the terminal without its end
   solver::Progress last_;
   bool any_ = false;
 };

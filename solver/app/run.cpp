@@ -38,8 +38,9 @@ class SolverSession {
 
 void warn_of_slow_blas() {
   if (solver::loaded_blas() == "reference")
-    fmt::print(stderr, "snug: warning: the reference BLAS is loaded, which solves about four times slower; "
-                       "scripts/setup installs OpenBLAS (libopenblas0-pthread)\n");
+    fmt::print(stderr,
+               "snug: warning: the reference BLAS is loaded, which solves about four times slower; "
+               "scripts/setup installs OpenBLAS (libopenblas0-pthread)\n");
 }
 
 void write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
@@ -75,9 +76,11 @@ class Run : public Command {
 
   int execute() override {
     if (ranks_ != 1)
-      throw input::InputError({"--ranks", 0, 0}, fmt::format("{} ranks are not available yet", ranks_), "leave --ranks out");
+      throw input::InputError({"--ranks", 0, 0}, fmt::format("{} ranks are not available yet", ranks_),
+                              "leave --ranks out");
     if (!out_.empty() && directories_.size() > 1)
-      throw input::InputError({"--out", 0, 0}, "one place is given for several cases", "run them one by one, or leave --out out");
+      throw input::InputError({"--out", 0, 0}, "one place is given for several cases",
+                              "run them one by one, or leave --out out");
     int status = done;
     for (const std::string& directory : directories_) status = std::max(status, run_or_say(directory));
     return status;

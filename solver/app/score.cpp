@@ -18,7 +18,8 @@ class Score : public Command {
   std::string summary() const override { return "ratings and comfort of pressures by location, no mechanics"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("FILE", file_, "CSV with location and pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg")->required();
+    app.add_option("FILE", file_, "CSV with location and pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg")
+        ->required();
     app.add_option("--curves", curves_, "sensation curves: \"wear trial 2002\" or a CSV file")->capture_default_str();
     app.add_flag("--json", json_, "print JSON");
   }

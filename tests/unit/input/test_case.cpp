@@ -18,13 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string body_section =
-    "[body]\n"                                                             // 2
-    "stations = \"limb.csv\"\n"                                            // 3
-    "layers = [\n"                                                         // 4
-    "  { name = \"bone\", material = \"rigid\" },\n"                       // 5
-    "  { name = \"tissue\", material = \"relaxed thigh\", cells = 3 },\n"  // 6
+    "[body]\n"                                                               // 2
+    "stations = \"limb.csv\"\n"                                              // 3
+    "layers = [\n"                                                           // 4
+    "  { name = \"bone\", material = \"rigid\" },\n"                         // 5
+    "  { name = \"tissue\", material = \"relaxed thigh\", cells = 3 },\n"    // 6
     "  { name = \"skin\", material = \"skin\", thickness = \"1.5 mm\" },\n"  // 7
-    "]\n";                                                                 // 8
+    "]\n";                                                                   // 8
 const std::string garment_section =
     "[garment]\n"                                                                           // 9
     "pattern = { kind = \"tube\", flat_circumference = \"42 cm\", length = \"160 mm\" }\n"  // 10
@@ -97,10 +97,11 @@ TEST_F(CaseDirectory, WholeCaseArrivesInSi) {
 
 TEST_F(CaseDirectory, ErrorsOfAllSectionsComeTogether) {
   // Every error of a case is reported at once, each at its place.
-  const auto errors = errors_of(
-      "title = \"t\"\n" + body_section +
-      "[garment]\npatern = 1\npattern = { kind = \"tube\", flat_circumference = 420, length = \"3 kPa\" }\n"
-      "fabric = \"N85L15\"\nwarp = \"allong\"\nposition = \"0 mm\"\n[contact]\nfriction = 0.3\n[solver]\ntier = \"L5\"\n");
+  const auto errors =
+      errors_of("title = \"t\"\n" + body_section +
+                "[garment]\npatern = 1\npattern = { kind = \"tube\", flat_circumference = 420, length = \"3 kPa\" }\n"
+                "fabric = \"N85L15\"\nwarp = \"allong\"\nposition = \"0 mm\"\n[contact]\nfriction = "
+                "0.3\n[solver]\ntier = \"L5\"\n");
   EXPECT_EQ(errors.size(), 6u) << all(errors);
   EXPECT_TRUE(has(errors, "10:1: error: unknown key patern", "did you mean pattern?")) << all(errors);
   EXPECT_TRUE(has(errors, "11:49: error: flat_circumference is the bare number 420", "\"420 m\"")) << all(errors);
@@ -114,7 +115,8 @@ TEST_F(CaseDirectory, MissingKeysAreNamedWithTheirMeaning) {
   // A required key that is missing is an error at its section with meaning and example.
   const auto errors = errors_of("title = \"t\"\n" + body_section + "[load]\n");
   ASSERT_EQ(errors.size(), 1u) << all(errors);
-  EXPECT_TRUE(has(errors, "9:", "the key skin_pressure is missing; add skin_pressure: pressure on the whole skin")) << all(errors);
+  EXPECT_TRUE(has(errors, "9:", "the key skin_pressure is missing; add skin_pressure: pressure on the whole skin"))
+      << all(errors);
 }
 
 TEST_F(CaseDirectory, PartsThatDoNotFitAreRefused) {
@@ -122,7 +124,8 @@ TEST_F(CaseDirectory, PartsThatDoNotFitAreRefused) {
   const std::string title = "title = \"t\"\n";
   EXPECT_TRUE(has(errors_of(title + garment_section), "2:", "there is a [garment] but no [body]"));
   EXPECT_TRUE(has(errors_of(title + body_section), "2:", "nothing acts on the body"));
-  EXPECT_TRUE(has(errors_of(title + body_section + "[contact]\n[load]\nskin_pressure = \"1 kPa\""), "9:", "no [garment]"));
+  EXPECT_TRUE(
+      has(errors_of(title + body_section + "[contact]\n[load]\nskin_pressure = \"1 kPa\""), "9:", "no [garment]"));
   EXPECT_TRUE(has(errors_of(title), "", "neither a body nor a garment"));
   EXPECT_TRUE(has(errors_of(good_ + "[comfort]\ncurves = \"wear trial 2002\"\n"), "14:", "no locations"));
 }
@@ -130,7 +133,8 @@ TEST_F(CaseDirectory, PartsThatDoNotFitAreRefused) {
 TEST_F(CaseDirectory, LayersMustBeInOrder) {
   // Bone first, skin last, exactly one solid layer that takes the rest.
   const auto layers = [&](const std::string& list) {
-    return errors_of("title = \"t\"\n[body]\nstations = \"limb.csv\"\nlayers = [" + list + "]\n[load]\nskin_pressure = \"1 kPa\"\n");
+    return errors_of("title = \"t\"\n[body]\nstations = \"limb.csv\"\nlayers = [" + list +
+                     "]\n[load]\nskin_pressure = \"1 kPa\"\n");
   };
   const std::string bone = "{ name = \"bone\", material = \"rigid\" }", fat = "{ name = \"fat\", material = \"fat\" }";
   const std::string skin = "{ name = \"skin\", material = \"skin\", thickness = \"1 mm\" }";
@@ -155,18 +159,21 @@ TEST_F(CaseDirectory, PathsStayInTheDirectory) {
 
 TEST_F(CaseDirectory, OverridesPassTheSameReader) {
   // --set replaces a value before reading and is checked like one of the file.
-  const Case c = read_text(good_, {.overrides = {"garment.fabric=N85L15", "garment.pattern.length=20 cm",
-                                                 "body.layers.tissue.cells=5", "body.layers.2.thickness=2 mm", "solver.tier=\"L1\""}});
+  const Case c = read_text(
+      good_, {.overrides = {"garment.fabric=N85L15", "garment.pattern.length=20 cm", "body.layers.tissue.cells=5",
+                            "body.layers.2.thickness=2 mm", "solver.tier=\"L1\""}});
   EXPECT_EQ(c.garment->fabric.name, "N85L15");
   EXPECT_DOUBLE_EQ(c.garment->pattern.length, 0.2);
   EXPECT_EQ(c.body->layers[1].cells, 5);
   EXPECT_DOUBLE_EQ(*c.body->layers[2].thickness, 2e-3);
   EXPECT_EQ(c.solver.tier, "L1");
-  const auto errors = errors_of(good_, {.overrides = {"garment.position=3", "garment.fabrik=x", "body.layers.fat.cells=1", "nonsense"}});
+  const auto errors = errors_of(
+      good_, {.overrides = {"garment.position=3", "garment.fabrik=x", "body.layers.fat.cells=1", "nonsense"}});
   EXPECT_EQ(errors.size(), 4u) << all(errors);
   EXPECT_TRUE(has(errors, "--set garment.position=3: error: position is the bare number 3", "3 m")) << all(errors);
   EXPECT_TRUE(has(errors, "--set garment.fabrik=x: error: unknown key fabrik", "fabric")) << all(errors);
-  EXPECT_TRUE(has(errors, "--set body.layers.fat.cells=1: error: the list has no entry fat", "bone, tissue, skin")) << all(errors);
+  EXPECT_TRUE(has(errors, "--set body.layers.fat.cells=1: error: the list has no entry fat", "bone, tissue, skin"))
+      << all(errors);
   EXPECT_TRUE(has(errors, "--set nonsense: error: ", "--set")) << all(errors);
 }
 
@@ -214,7 +221,8 @@ TEST(Reference, KnowsEveryKeyOnce) {
     EXPECT_TRUE(keys.insert(row.key).second) << row.key;
     EXPECT_FALSE(row.field.meaning.empty()) << row.key;
   }
-  for (const std::string key : {"title", "body.layers[].thickness", "garment.pattern.length", "body.scan.lower.point", "solver.tier"})
+  for (const std::string key :
+       {"title", "body.layers[].thickness", "garment.pattern.length", "body.scan.lower.point", "solver.tier"})
     EXPECT_TRUE(keys.count(key)) << key;
 }
 

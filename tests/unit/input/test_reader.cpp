@@ -64,9 +64,10 @@ TEST(Reader, BareNumberIsRefusedWithTheUnitExpected) {
 TEST(Reader, WrongDimensionNamesWhatIsExpected) {
   // A quantity of another dimension is refused with the dimension due and an example.
   const std::string error = only_error("thickness = \"1 mm\"\nmodulus = \"3 mm\"");
-  EXPECT_EQ(error,
-            "case.toml:2:11: error: modulus: \"3 mm\" is not a pressure; give a pressure with its unit, e.g. \"20 gf/cm2\" "
-            "(SI: Pa)");
+  EXPECT_EQ(
+      error,
+      "case.toml:2:11: error: modulus: \"3 mm\" is not a pressure; give a pressure with its unit, e.g. \"20 gf/cm2\" "
+      "(SI: Pa)");
 }
 
 TEST(Reader, UnknownKeyHasTheNearestKnownOneAsHint) {

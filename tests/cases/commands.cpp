@@ -1,0 +1,144 @@
+// The program as a user meets it: exit status, messages, and what is left on the disk.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace snug {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string text;  ///< standard output and standard error together
+};
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  /// Runs the built program inside a folder of its own.
+  Outcome snug(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" + SNUG_BINARY + "' " + arguments + " 2>&1";
+    Outcome outcome;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    std::array<char, 4096> block;
+    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+      outcome.text.append(block.data(), n);
+    const int state = ::pclose(pipe);
+    outcome.status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    return outcome;
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+  std::string case_of(const std::string& name) const {
+    return "'" + (fs::path(SNUG_SOURCE_DIR) / "cases" / name).string() + "'";
+  }
+
+  const fs::path folder_ = fs::temp_directory_path() / ("snug-commands-" + std::to_string(::getpid()));
+};
+
+TEST_F(Program, WrongInputIsStatus2AndWritesNothing) {
+  // A wrong case ends with status 2, all errors located, and no directory out/.
+  ASSERT_EQ(snug("new mine").status, 0);
+  const Outcome outcome = snug("run mine --set garment.position=60 --set contact.friction=0.3 --set garment.fabrik=x");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.text.find("a unit is due here"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("friction is not available yet"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("did you mean fabric?"), std::string::npos) << outcome.text;
+  EXPECT_FALSE(fs::exists(folder_ / "mine" / "out"));
+  EXPECT_EQ(snug("run nowhere").status, 2);
+  EXPECT_EQ(snug("run mine --ranks 4").status, 2);
+  EXPECT_EQ(snug("walk").status, 2);
+  EXPECT_EQ(snug("run mine --set garment.fabric=N85L51").status, 2);
+}
+
+TEST_F(Program, CheckSolvesAndWritesNothing) {
+  // check prints the plan with parts in and out, and leaves the case directory as it was.
+  ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);
+  const Outcome outcome = snug("check mine");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  for (const std::string part : {"  in   ", "  out  ", "unknowns", "memory expected", "time expected", "tissue"})
+    EXPECT_NE(outcome.text.find(part), std::string::npos) << outcome.text;
+  EXPECT_FALSE(fs::exists(folder_ / "mine" / "out"));
+}
+
+TEST_F(Program, RunReplacesItsOwnResultsOnly) {
+  // Results are replaced by the next run; a directory that holds something else is not touched.
+  ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
+  const std::string coarse = "run mine --quiet --set body.cells_around=8 --set body.cells_along=1 ";
+  ASSERT_EQ(snug(coarse).status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/summary.json"));
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/case.echo.toml"));
+  write("mine/out/old", "");
+  ASSERT_EQ(snug(coarse).status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "mine/out/old"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "mine"), fs::directory_iterator()), 4);
+  fs::create_directories(folder_ / "precious");
+  write("precious/thesis.tex", "");
+  EXPECT_EQ(snug(coarse + "--out precious").status, 2);
+  EXPECT_TRUE(fs::exists(folder_ / "precious/thesis.tex"));
+  EXPECT_EQ(snug(coarse + "--out mine").status, 2);
+}
+
+TEST_F(Program, EchoRunsToTheSameResult) {
+  // The echo of a run is a case of its own that gives the same answer.
+  ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
+  ASSERT_EQ(snug("run mine --quiet --set body.cells_around=8 --set body.cells_along=1").status, 0);
+  const auto answer = [&] {
+    std::ifstream file(folder_ / "mine/out/summary.json");
+    return nlohmann::json::parse(file).at("numbers");
+  };
+  const nlohmann::json first = answer();
+  fs::copy_file(folder_ / "mine/out/case.echo.toml", folder_ / "mine/case.toml", fs::copy_options::overwrite_existing);
+  ASSERT_EQ(snug("run mine --quiet").status, 0);
+  EXPECT_EQ(answer().dump(), first.dump());
+}
+
+TEST_F(Program, MeshWritesGridsBesideTheResults) {
+  // mesh writes VTU files and a quality table, and a later run accepts the directory.
+  ASSERT_EQ(snug("new mine").status, 0);
+  const Outcome outcome = snug("mesh mine");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/mesh/body.vtu"));
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/mesh/garment.vtu"));
+  EXPECT_EQ(snug("run mine --tier L0 --quiet").status, 0);
+}
+
+TEST_F(Program, ScoreRatesPressures) {
+  // score turns pressures by location into ratings and comfort; a wrong table is status 2.
+  write("worn.csv", "location,pressure_gf_per_cm2\nFront thigh,3.89\nSide thigh,4\n");
+  const Outcome outcome = snug("score worn.csv --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const nlohmann::json answer = nlohmann::json::parse(outcome.text);
+  EXPECT_NEAR(answer.at("locations").at(0).at("rating").get<double>(), 0.71, 0.005);
+  EXPECT_TRUE(answer.at("comfort").is_object());
+  write("wrong.csv", "place,pressure\nFront thigh,3\n");
+  EXPECT_EQ(snug("score wrong.csv").status, 2);
+  EXPECT_EQ(snug("score nowhere.csv").status, 2);
+}
+
+TEST_F(Program, ReferenceExplainsEveryKey) {
+  // explain tells meaning, unit and default; an unknown key is status 2 with the nearest one.
+  const Outcome outcome = snug("explain garment.position");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.text.find("height of the lower edge"), std::string::npos) << outcome.text;
+  const Outcome unknown = snug("explain positon");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.text.find("position"), std::string::npos) << unknown.text;
+  EXPECT_EQ(snug("list").status, 0);
+  EXPECT_EQ(snug("materials list").status, 0);
+  EXPECT_NE(snug("materials show N85L15").text.find("kes"), std::string::npos);
+  EXPECT_EQ(snug("materials show N85").status, 2);
+}
+
+}  // namespace
+}  // namespace snug
