@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <toml.hpp>
 
@@ -99,9 +100,39 @@ std::vector<std::string> split_lines(const std::string& text) {
 /// The parser's message without its drawing of the source line.
 std::string short_message(const std::string& what) {
   std::string message = what.substr(0, what.find('\n'));
-  for (const std::string start : {"[error] ", "toml::"})
-    if (message.rfind(start, 0) == 0) message = message.substr(start.size());
-  return message;
+  message = std::regex_replace(message, std::regex(R"(^\[error\]\s*)"), "");
+  message = std::regex_replace(message, std::regex(R"(^[A-Za-z_:]+:\s+)"), "");  // the name of the parser's function
+  return std::regex_replace(message, std::regex(R"(\.?\s*$)"), "");
+}
+
+/// The parser recurses at every bracket and every dot of a key: a line that would overflow its stack is found before.
+/// Returns the number of that line, or 0. Strings and comments are told apart roughly; the limit is far beyond any
+/// case.
+int line_of_deep_nesting(const std::string& text) {
+  constexpr int deepest = 100;
+  int line = 1, brackets = 0, dots = 0;
+  char quote = 0;
+  bool comment = false;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+      comment = false;
+    } else if (comment) {
+      continue;
+    } else if (quote) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      comment = true;
+    } else {
+      brackets += (c == '[' || c == '{') - (c == ']' || c == '}');
+      dots += c == '.';
+      if (brackets > deepest || dots > 10 * deepest) return line;
+    }
+  }
+  return 0;
 }
 
 /// Parses `text` (of which origin.prefix characters were added) and reports wrong syntax.
@@ -109,6 +140,10 @@ Table parse(const std::string& text, Origin origin, Diagnostics& diagnostics) {
   origin.lines = split_lines(text);
   std::istringstream stream(text);
   const std::string remedy = "write it as TOML (https://toml.io): key = value, texts in quotes, sections in [brackets]";
+  if (const int line = line_of_deep_nesting(text)) {
+    diagnostics.error(origin.place(line, 1), "brackets or keys are nested too deeply", remedy);
+    return empty_table(origin.base);
+  }
   try {
     Table table = converted_table(toml::parse(stream, origin.base.file), origin);
     table.where = origin.base;

@@ -79,6 +79,8 @@ bool unit_factor(const std::string& unit, const std::string& si_unit, double& fa
 
 Quantity to_si(const std::string& text, const std::string& si_unit) {
   const std::string trimmed_text = trimmed(text);
+  if (trimmed_text.size() > 200)
+    return {0.0, "a text of " + std::to_string(text.size()) + " characters is no quantity"};
   const char* begin = trimmed_text.data();
   const char* end = begin + trimmed_text.size();
   if (begin != end && *begin == '+') ++begin;

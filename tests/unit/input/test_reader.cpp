@@ -129,5 +129,17 @@ TEST(Reader, WrongSyntaxIsLocated) {
   EXPECT_EQ(diagnostics.errors()[0].where.line, 2) << to_string(diagnostics.errors()[0]);
 }
 
+TEST(Reader, HostileTextIsAnErrorAndNoCrash) {
+  // Nesting that would overflow the parser, duplicate keys and binary bytes are located errors.
+  for (const std::string& text :
+       {"a = 1\nb = " + std::string(100000, '['), "b = 1\na" + std::string(100000, '.') + "b = 1",
+        std::string("a = 1\na = 2"), std::string("a = 1\n\0\1\377 = 3", 12), std::string("a = 1\nb = \"open")}) {
+    Diagnostics diagnostics;
+    parse_text(text, {"case.toml", 1, 1}, diagnostics);
+    ASSERT_EQ(diagnostics.errors().size(), 1u);
+    EXPECT_EQ(diagnostics.errors()[0].where.line, 2) << to_string(diagnostics.errors()[0]);
+  }
+}
+
 }  // namespace
 }  // namespace snug::input
