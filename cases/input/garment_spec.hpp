@@ -53,7 +53,7 @@ struct GarmentSpec {
   MaterialReference fabric;
   std::string warp = "along";  ///< along | around the body's axis
   double position = 0.0;       ///< m; height of the lower edge as placed
-  double cell_size = 0.0;      ///< m; 0 = the skin's mean cell size
+  double cell_size = 0.0;      ///< m; 0 = half the skin's mean cell size
   std::vector<HeldEdge> held;
   Location where;
 

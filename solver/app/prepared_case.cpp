@@ -53,7 +53,7 @@ solver::Meshes make_meshes(const input::Case& description) {
   meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   if (!description.garment) return meshes;
   const double given = description.garment->cell_size;
-  const double cell_size = given > 0.0 ? given : meshes.body.mean_skin_cell;
+  const double cell_size = given > 0.0 ? given : 0.5 * meshes.body.mean_skin_cell;
   meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb, cell_size);
   return meshes;
 }

@@ -2,6 +2,7 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <algorithm>
 #include <set>
 
 namespace snug::solver {
@@ -24,6 +25,10 @@ void constrain_body(const input::BodySpec& spec, const mesh::BodyMesh& body, con
       for (int c = spec.ends == "fixed" ? 0 : 2; c < 3; ++c) fix(constraints, layout.body(node, c));
 }
 
+bool turns_freely(const input::GarmentSpec& spec) {
+  return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == "all"; });
+}
+
 void constrain_garment(const input::Case& description, const mesh::GarmentMesh& garment, const Layout& layout,
                        Constraints& constraints) {
   auto held = description.garment->held;
@@ -31,6 +36,10 @@ void constrain_garment(const input::Case& description, const mesh::GarmentMesh& 
   for (const auto& edge : held)
     for (const int node : garment.edges.at(edge.edge))
       for (int c = edge.held == "all" ? 0 : 2; c < 3; ++c) fix(constraints, layout.garment(node, c));
+  if (turns_freely(*description.garment)) {
+    const TurnPin pin = turn_pin(garment);
+    fix(constraints, layout.garment(pin.node, pin.component));
+  }
   for (std::size_t node = 0; node < garment.merged.size(); ++node) {
     if (garment.merged[node] == static_cast<int>(node)) continue;
     for (int c = 0; c < 3; ++c) {  // a seam: this side follows the other
@@ -42,6 +51,17 @@ void constrain_garment(const input::Case& description, const mesh::GarmentMesh& 
 }
 
 }  // namespace
+
+TurnPin turn_pin(const mesh::GarmentMesh& garment) {
+  const auto& edge = garment.edges.at("upper");
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const int node : edge) centre += garment.placed[node] / static_cast<double>(edge.size());
+  const int seam = *std::min_element(edge.begin(), edge.end(), [&](int a, int b) {
+    return garment.pattern[a].x() < garment.pattern[b].x();
+  });
+  const Eigen::Vector3d arm = garment.placed[seam] - centre;
+  return {seam, std::abs(arm.x()) > std::abs(arm.y()) ? 1 : 0};
+}
 
 Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact) {
   Layout layout;

@@ -15,6 +15,14 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
 /// True when no edge of the garment is held along the axis: it can slide off.
 bool slides_freely(const input::Case& description);
 
+/// Without friction nothing decides how far a garment is turned round the limb (and the facets of the skin would make a
+/// ratchet of it): one seam node of the upper edge keeps its place round the axis, and its reaction is reported.
+struct TurnPin {
+  int node = 0;       ///< representative garment node
+  int component = 0;  ///< x or y, whichever is nearer to the hoop direction there
+};
+TurnPin turn_pin(const mesh::GarmentMesh& garment);
+
 /// Bone nodes are fixed; the cut planes slide in their plane, are fixed or free; sewn garment nodes share their
 /// unknowns; held edges keep their axial place (a garment without any is held at its upper edge, and the reaction there
 /// tells whether it is in equilibrium). Built as deal.II AffineConstraints.

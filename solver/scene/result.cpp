@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "postproc/skin_pressure.hpp"
+#include "solver/terms/skin_membrane_term.hpp"
 
 namespace snug::solver {
 
@@ -78,10 +79,11 @@ void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric,
 void fill_samples(const Contact& contact, const FabricMembrane& fabric, const State& state,
                   std::vector<postproc::ContactSample>& samples) {
   samples = contact.samples(state);
+  auto sample = samples.begin();
   for (int t = 0; t < fabric.triangles(); ++t)
-    for (int q = 0; q < Contact::points_per_triangle; ++q) {
-      auto& sample = samples[t * Contact::points_per_triangle + q];
-      if (sample.facet >= 0) sample.area = fabric.area_ratio(state, t, q) * fabric.pattern_area(t, q);
+    for (const TrianglePoint& q : contact.rule()) {
+      if (sample->facet >= 0) sample->area = fabric.area_ratio(state, t, q.L) * q.weight * fabric.pattern_area(t);
+      ++sample;
     }
 }
 
@@ -146,9 +148,14 @@ void fill_numbers(const Scene& scene, postproc::RunResult& result) {
   for (const auto& facet : result.body.skin_facets) {
     FacetNodes rest;
     for (int a = 0; a < 9; ++a) rest.col(a) = result.body.nodes[facet[a]];
-    const FacetPoint centre = facet_point(rest, facet_shape(Eigen::Vector2d::Zero()));
-    sum += centre.area * result.body.displacement[facet[4]].dot(centre.n);
-    weight += centre.area;
+    Eigen::Matrix<double, 3, 9> moved;
+    for (int a = 0; a < 9; ++a) moved.col(a) = result.body.displacement[facet[a]];
+    for (const FacetRulePoint& q : facet_rule()) {
+      const FacetShape shape = facet_shape(q.xi);
+      const FacetPoint point = facet_point(rest, shape);
+      sum += q.weight * point.area * (moved * shape.N).dot(point.n);
+      weight += q.weight * point.area;
+    }
     for (const int node : facet) largest = std::max(largest, result.body.displacement[node].norm());
   }
   result.numbers["mean_skin_radial_displacement_m"] = sum / weight;

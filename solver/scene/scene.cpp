@@ -60,7 +60,7 @@ void Scene::update(const State& state) {
   if (changed) rebuild();
 }
 
-bool Scene::assemble(const State& state, bool tangent) {
+bool Scene::assemble(const State& state, Tangent tangent) {
   scatter_.zero();
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     ScatterSink sink(scatter_, static_cast<int>(t));
@@ -73,7 +73,7 @@ Eigen::VectorXd Scene::full_residual(const State& state) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.size());
   for (const auto& term : terms_) {
     VectorSink sink(term->entries(), sum);
-    term->assemble(state, false, sink);
+    term->assemble(state, Tangent::none, sink);
   }
   return sum;
 }
@@ -136,7 +136,7 @@ double fabric_stiffness(const materials::Fabric& fabric) {
   return std::max(fabric.warp.at(0.0).stiffness, fabric.weft.at(0.0).stiffness);
 }
 
-// Pressure per gap at which contact is ten thousand times stiffer than what touches: computed, never a user's number.
+// Pressure per gap of the stiffest part that touches: computed, never a user's number.
 double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body,
                          Skin skin) {
   double local = fabric_stiffness(fabric) / (garment.mean_edge * garment.mean_edge);
@@ -144,7 +144,7 @@ double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMes
     for (const auto& layer : body.layers)
       local = std::max(local, 3.0 * materials::initial_shear_modulus(materials::find_tissue(layer.material).law) /
                                   body.mean_skin_cell);
-  return 1e4 * local;
+  return local;
 }
 
 void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene& scene) {

@@ -32,7 +32,7 @@ class Scene {
   /// Lets every term look at the state; the sparsity pattern follows when one asks for it.
   void update(const State& state);
   /// Residual and tangent of all terms into the matrix. False: inadmissible state.
-  bool assemble(const State& state, bool tangent);
+  bool assemble(const State& state, Tangent tangent);
   /// Residual on every entry, prescribed ones included (where it is minus the support's force).
   Eigen::VectorXd full_residual(const State& state) const;
   /// Solves tangent * step = -residual with `proximal` times the garment's proximal weights added to the diagonal;

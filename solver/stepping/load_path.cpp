@@ -56,7 +56,7 @@ PathResult follow_path(Scene& scene, State start, const PathSettings& path, cons
       if (result.state.load + 1.3 * step > 1.0) step = 1.0 - result.state.load;
     } else {
       result.message = to_string(outcome);
-      if (++failures > path.failures) return result;
+      if (++failures > path.failures || step < path.smallest_step) return result;
       step *= 0.5;
     }
   }

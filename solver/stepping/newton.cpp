@@ -23,10 +23,22 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
   for (int halving = 0; halving < 10; ++halving, fraction *= 0.5) {
     state.values = start.values + fraction * step;
     scene.update(state);
-    if (scene.assemble(state, true)) return true;
+    if (scene.assemble(state, Tangent::full)) return true;
   }
   state = start;
   return false;
+}
+
+// A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
+// than multipliers), its convex part takes over.
+LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, double proximal,
+                     Eigen::VectorXd& step) {
+  if (residual > settings.convex_above) scene.assemble(state, Tangent::convex);
+  LinearReport report = scene.solve(proximal, settings.may_lag, step);
+  const bool indefinite = report.ok && report.negative_pivots > scene.layout().multipliers;
+  if (!indefinite || residual > settings.convex_above) return report;
+  scene.assemble(state, Tangent::convex);
+  return scene.solve(proximal, false, step);
 }
 
 struct Check {
@@ -39,7 +51,8 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   Check c;
   c.measure = scene.measure(state);
   const double force = c.measure.contact_force, pressure = c.measure.reference_pressure;
-  c.residual = force > 0.0 ? scene.force_residual() / force : (scene.force_residual() > 0.0 ? 1.0 : 0.0);
+  const double residual = scene.force_residual();
+  c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
   c.done = c.residual <= settings.residual && c.complementarity <= settings.complementarity &&
            c.measure.penetration <= settings.penetration && c.measure.changed == 0;
@@ -50,7 +63,7 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
 
 Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const IterationSink& sink) {
   scene.update(state);
-  if (!scene.assemble(state, true)) return Outcome::inadmissible;
+  if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
   postproc::Iteration row;
   row.load = state.load;
   row.step = 1.0;
@@ -64,7 +77,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (iteration == settings.iterations) break;
     Eigen::VectorXd step;
     const double proximal = settings.proximal * std::min(1.0, now.residual) + 1e-12;
-    const LinearReport report = scene.solve(proximal, settings.may_lag, step);
+    const LinearReport report = descent(scene, state, settings, now.residual, proximal, step);
     if (!report.ok) return Outcome::linear_solver_failed;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);

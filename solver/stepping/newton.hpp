@@ -16,6 +16,7 @@ struct NewtonSettings {
   double penetration = 1e-9;      ///< m, weighted gap of nodes in contact
   int iterations = 30;
   double proximal = 1e-4;         ///< times the relative residual; vanishes at convergence, so it leaves no bias
+  double convex_above = 0.02;     ///< relative residual above which only the convex part of the tangent is used
   bool may_lag = false;
 };
 

@@ -11,8 +11,17 @@ namespace snug::solver {
 
 namespace {
 
+// Parts of a garment edge for the quadrature. The skin's shape functions have kinks inside a triangle, and what a rule
+// misses of them loads the skin's nodes unevenly: a part may be a quarter of a facet at most.
+int parts(double garment_edge, double skin_cell) {
+  return std::clamp(static_cast<int>(std::ceil(4.0 * garment_edge / skin_cell - 0.25)), 1, 6);
+}
+
 // A facet counts as coupled to a triangle when a point is this near to it, so that the pattern of the matrix lasts.
 constexpr double coupling_margin = 0.85;
+// Rows are this much stiffer than the active-set decision: a decision on a stiff scale would turn gaps of second order
+// in the step into releases, a row on a soft scale would converge linearly.
+constexpr double row_stiffening = 1e4;
 
 }  // namespace
 
@@ -23,9 +32,11 @@ struct Contact::Slot {
 
 Contact::Contact(const Layout& layout, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body, bool deformable,
                  double stiffness, GapBasis basis)
-    : layout_(layout), skin_(layout, body, deformable), basis_(basis), stiffness_(stiffness),
+    : layout_(layout), skin_(layout, body, deformable),
+      rule_(composite_rule(parts(garment.mean_edge, body.mean_skin_cell))), basis_(basis), stiffness_(stiffness),
       reach_(5.0 * body.mean_skin_cell), step_limit_(0.5 * garment.mean_edge),
       vertex_of_node_(garment.pattern.size(), -1) {
+  for (const TrianglePoint& q : rule_) shape_.push_back(p2_values(q.L));
   for (const auto& triangle : garment.triangles) {
     Element element;
     for (int a = 0; a < 6; ++a) element.nodes[a] = garment.merged[triangle[a]];
@@ -42,6 +53,7 @@ Contact::Contact(const Layout& layout, const mesh::GarmentMesh& garment, const m
       area_[vertex] += element.area / 3.0;
       share_[vertex] += 1.0;
     }
+    element.sites.resize(rule_.size());
     elements_.push_back(element);
   }
   for (double& share : share_) share = 1.0 / share;
@@ -56,7 +68,7 @@ Eigen::Vector3d Contact::basis(const Eigen::Vector3d& L) const {
 }
 
 Eigen::Vector3d Contact::point(const State& state, const Element& element, int q) const {
-  const Eigen::Matrix<double, 6, 1> N = p2_values(triangle_rule()[q].L);
+  const Eigen::Matrix<double, 6, 1>& N = shape_[q];
   Eigen::Vector3d x = Eigen::Vector3d::Zero();
   for (int a = 0; a < 6; ++a) x += N[a] * state.values.segment<3>(layout_.garment(element.nodes[a]));
   return x;
@@ -75,7 +87,7 @@ Contact::Gap Contact::gap(const State& state, const Element& element, int q) con
 }
 
 double Contact::pressure(const State& state, const Element& element, int q) const {
-  const Eigen::Vector3d phi = basis(triangle_rule()[q].L);
+  const Eigen::Vector3d phi = basis(rule_[q].L);
   double p = 0.0;
   for (int v = 0; v < 3; ++v) p += phi[v] * state.values[layout_.multiplier(element.vertices[v])];
   return p;
@@ -119,7 +131,7 @@ void Contact::rebuild_entries() {
 bool Contact::locate(const State& state) {
   tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
     Element& element = elements_[e];
-    for (int q = 0; q < points_per_triangle; ++q)
+    for (int q = 0; q < static_cast<int>(rule_.size()); ++q)
       element.sites[q] = skin_.follow(state, point(state, element, q), element.sites[q]);
   });
   if (!skin_.deformable()) return false;
@@ -139,10 +151,10 @@ void Contact::weigh(const State& state) {
   std::fill(weighted_gap_.begin(), weighted_gap_.end(), 0.0);
   std::fill(facing_area_.begin(), facing_area_.end(), 0.0);
   for (const Element& element : elements_)
-    for (int q = 0; q < points_per_triangle; ++q) {
+    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) {
       const Gap g = gap(state, element, q);
       if (!g.facing) continue;
-      const TrianglePoint& rule = triangle_rule()[q];
+      const TrianglePoint& rule = rule_[q];
       const Eigen::Vector3d phi = basis(rule.L);
       for (int v = 0; v < 3; ++v) {
         weighted_gap_[element.vertices[v]] += rule.weight * element.area * phi[v] * g.value;
@@ -170,16 +182,17 @@ void Contact::close_all(const State& state) {
   for (int i = 0; i < vertices(); ++i) active_[i] = facing_area_[i] > 0.05 * area_[i];
 }
 
-void Contact::add_curvature(const Element& element, int q, const Gap& gap, double force, Slot& slot) const {
+void Contact::add_curvature(const Element& element, int q, const Gap& gap, double force, bool skin_moves,
+                            Slot& slot) const {
   // Second derivative of the gap for a frozen facet (Laursen, Computational Contact and Impact Mechanics, ch. 5):
   //   d2g = -(B_a D_a + D_a B_a) - k_ab D_a D_b + g m^ab (B_a + k_ac D_c)(B_b + k_bd D_d),
   // D_a = A^ab [ (dx - dy) . y_b + g n . dy_b ], A = m - g k, B_a = n . dy_a, as linear forms of the entries.
   const int n = static_cast<int>(slot.residual.size());
-  const Eigen::Matrix<double, 6, 1> N = p2_values(triangle_rule()[q].L);
+  const Eigen::Matrix<double, 6, 1>& N = shape_[q];
   Eigen::Matrix<double, Eigen::Dynamic, 2> T = Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(n, 2);
   Eigen::Matrix<double, Eigen::Dynamic, 2> B = Eigen::Matrix<double, Eigen::Dynamic, 2>::Zero(n, 2);
   for (int a = 0; a < 6; ++a) T.middleRows<3>(3 * a) = N[a] * gap.at.tangent;
-  if (skin_.deformable()) {
+  if (skin_.deformable() && skin_moves) {
     const auto& nodes = skin_.nodes_of(element.sites[q].facet);
     for (int b = 0; b < 9; ++b) {
       const auto it = std::find(element.skin_nodes.begin(), element.skin_nodes.end(), nodes[b]);
@@ -196,14 +209,14 @@ void Contact::add_curvature(const Element& element, int q, const Gap& gap, doubl
   slot.matrix.noalias() -= force * (left * D.transpose() - D * B.transpose() + E * weight * E.transpose());
 }
 
-void Contact::add_point(const State& state, const Element& element, int q, bool tangent, Slot& slot) const {
+void Contact::add_point(const State& state, const Element& element, int q, Tangent tangent, Slot& slot) const {
   const Gap g = gap(state, element, q);
   if (!g.facing) return;
-  const TrianglePoint& rule = triangle_rule()[q];
+  const TrianglePoint& rule = rule_[q];
   const double weight = rule.weight * element.area, p = pressure(state, element, q);
   const int n = static_cast<int>(slot.residual.size()), rows = n - 3;
   Eigen::VectorXd G = Eigen::VectorXd::Zero(n);  // dg
-  const Eigen::Matrix<double, 6, 1> N = p2_values(rule.L);
+  const Eigen::Matrix<double, 6, 1>& N = shape_[q];
   for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = N[a] * g.at.n;
   if (skin_.deformable()) {
     const auto& nodes = skin_.nodes_of(element.sites[q].facet);
@@ -217,38 +230,38 @@ void Contact::add_point(const State& state, const Element& element, int q, bool 
   for (int v = 0; v < 3; ++v) {
     if (!active_[element.vertices[v]]) continue;
     slot.residual[rows + v] -= weight * phi[v] * g.value;
-    if (!tangent) continue;
+    if (!wanted(tangent)) continue;
     slot.matrix.col(rows + v) -= weight * phi[v] * G;
     slot.matrix.row(rows + v) -= weight * phi[v] * G.transpose();
   }
-  if (tangent && p != 0.0) add_curvature(element, q, g, weight * p, slot);
+  if (wanted(tangent) && p != 0.0) add_curvature(element, q, g, weight * p, tangent == Tangent::full, slot);
 }
 
 void Contact::add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const {
   const int rows = static_cast<int>(slot.residual.size()) - 3;
   for (int v = 0; v < 3; ++v) {
     const int vertex = element.vertices[v];
-    const double epsilon = share_[vertex] * area_[vertex] / stiffness_;
+    const double epsilon = share_[vertex] * area_[vertex] / (row_stiffening * stiffness_);
     if (!active_[vertex]) slot.residual[rows + v] -= epsilon * state.values[layout_.multiplier(vertex)];
     if (tangent) slot.matrix(rows + v, rows + v) -= epsilon;
   }
 }
 
-bool Contact::assemble(const State& state, bool tangent, Sink& sink) const {
+bool Contact::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<Slot> slots(64);
   const auto compute = [&](int e, Slot& slot) {
     const Element& element = elements_[e];
     const int n = 21 + 3 * static_cast<int>(element.skin_nodes.size());
     slot.residual.setZero(n);
-    if (tangent) slot.matrix.setZero(n, n);
-    for (int q = 0; q < points_per_triangle; ++q) add_point(state, element, q, tangent, slot);
-    add_rows(state, element, tangent, slot);
+    if (wanted(tangent)) slot.matrix.setZero(n, n);
+    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) add_point(state, element, q, tangent, slot);
+    add_rows(state, element, wanted(tangent), slot);
     return slot.residual.allFinite();
   };
   return for_elements(static_cast<int>(elements_.size()), slots, compute, [&](int e, Slot& slot) {
     const auto n = static_cast<std::size_t>(slot.residual.size());
     sink.add(e, {slot.residual.data(), n},
-             tangent ? std::span<const double>(slot.matrix.data(), n * n) : std::span<const double>());
+             wanted(tangent) ? std::span<const double>(slot.matrix.data(), n * n) : std::span<const double>());
   });
 }
 
@@ -282,14 +295,14 @@ void Contact::measure(const State& state, Measure& measure) const {
 
 std::vector<Contact::PointForce> Contact::point_forces(const State& state) const {
   std::vector<PointForce> forces;
-  forces.reserve(elements_.size() * points_per_triangle);
+  forces.reserve(elements_.size() * rule_.size());
   for (const Element& element : elements_)
-    for (int q = 0; q < points_per_triangle; ++q) {
+    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) {
       const Gap g = gap(state, element, q);
       PointForce force{g.x, g.x, Eigen::Vector3d::Zero()};
       if (g.facing) {
         force.y = g.at.y;
-        force.force = triangle_rule()[q].weight * element.area * pressure(state, element, q) * g.at.n;
+        force.force = rule_[q].weight * element.area * pressure(state, element, q) * g.at.n;
       }
       forces.push_back(force);
     }
@@ -298,15 +311,16 @@ std::vector<Contact::PointForce> Contact::point_forces(const State& state) const
 
 std::vector<postproc::ContactSample> Contact::samples(const State& state) const {
   std::vector<postproc::ContactSample> samples;
-  samples.reserve(elements_.size() * points_per_triangle);
+  samples.reserve(elements_.size() * rule_.size());
   for (const Element& element : elements_)
-    for (int q = 0; q < points_per_triangle; ++q) {
+    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) {
       postproc::ContactSample sample;
       const Gap g = gap(state, element, q);
       if (g.facing) {
         sample.facet = element.sites[q].facet;
-        sample.xi = element.sites[q].xi[0], sample.eta = element.sites[q].xi[1];
-        sample.force = triangle_rule()[q].weight * element.area * pressure(state, element, q);
+        sample.xi = std::clamp(element.sites[q].xi[0], -1.0, 1.0);  // a point may stay with its facet a little over the edge
+        sample.eta = std::clamp(element.sites[q].xi[1], -1.0, 1.0);
+        sample.force = rule_[q].weight * element.area * pressure(state, element, q);
         sample.touching = sample.force > 0.0;
       }
       samples.push_back(sample);

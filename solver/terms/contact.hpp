@@ -33,7 +33,7 @@ class Contact : public Term {
 
   std::string name() const override { return "contact"; }
   const ElementEntries& entries() const override { return entries_; }
-  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
   bool update(const State& state) override;
   void measure(const State& state, Measure& measure) const override;
@@ -51,7 +51,8 @@ class Contact : public Term {
   /// Position, force on the garment (N) of every point, in the order of `samples`.
   struct PointForce { Eigen::Vector3d x, y, force; };
   std::vector<PointForce> point_forces(const State& state) const;
-  static constexpr int points_per_triangle = 7;
+  /// Quadrature of every triangle: `samples` and `point_forces` list its points triangle by triangle.
+  const std::vector<TrianglePoint>& rule() const { return rule_; }
 
  private:
   struct Element {
@@ -60,7 +61,7 @@ class Contact : public Term {
     double area = 0.0;               ///< on the pattern, m2
     std::vector<int> facets;         ///< whose nodes the element couples
     std::vector<int> skin_nodes;
-    std::array<Site, points_per_triangle> sites;
+    std::vector<Site> sites;
   };
   struct Slot;
   struct Gap {
@@ -78,12 +79,14 @@ class Contact : public Term {
   void couple(Element& element);
   void rebuild_entries();
   void weigh(const State& state);
-  void add_point(const State& state, const Element& element, int q, bool tangent, Slot& slot) const;
-  void add_curvature(const Element& element, int q, const Gap& gap, double force, Slot& slot) const;
+  void add_point(const State& state, const Element& element, int q, Tangent tangent, Slot& slot) const;
+  void add_curvature(const Element& element, int q, const Gap& gap, double force, bool skin_moves, Slot& slot) const;
   void add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const;
 
   Layout layout_;
   SkinSurface skin_;
+  std::vector<TrianglePoint> rule_;      ///< finer where the garment is coarse against the skin
+  std::vector<Eigen::Matrix<double, 6, 1>> shape_;  ///< P2 values at the rule's points
   GapBasis basis_;
   double stiffness_;
   double reach_;                         ///< m, points farther from the skin face none

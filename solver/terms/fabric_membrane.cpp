@@ -25,6 +25,7 @@ FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& me
       for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(element.nodes[a], c);
     }
     const FlatTriangle flat = flat_triangle(mesh.pattern[corner[0]], mesh.pattern[corner[1]], mesh.pattern[corner[2]]);
+    element.flat_gradient = flat.gradient, element.area = flat.area;
     for (const TrianglePoint& q : triangle_rule()) {
       Point point;
       point.gradient = (p2_derivatives(q.L) * flat.gradient).transpose();
@@ -70,7 +71,7 @@ double FabricMembrane::energy(const State& state) const {
   return sum;
 }
 
-bool FabricMembrane::assemble(const State& state, bool tangent, Sink& sink) const {
+bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<MembraneElement<6>> slots(256);
   const double compressive = eta(state.load);
   const auto compute = [&](int e, MembraneElement<6>& slot) {
@@ -80,12 +81,12 @@ bool FabricMembrane::assemble(const State& state, bool tangent, Sink& sink) cons
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      add_membrane_point<6>(x, d, weight, fabric_.relaxed(membrane_strain<6>(x, d), compressive), tangent, slot);
+      add_membrane_point<6>(x, d, weight, fabric_.relaxed(membrane_strain<6>(x, d), compressive), wanted(tangent), slot);
     }
     return slot.residual.allFinite();
   };
   return for_elements(triangles(), slots, compute, [&](int e, MembraneElement<6>& slot) {
-    sink.add(e, {slot.residual.data(), 18}, tangent ? std::span<const double>(slot.matrix.data(), 324) : std::span<const double>());
+    sink.add(e, {slot.residual.data(), 18}, wanted(tangent) ? std::span<const double>(slot.matrix.data(), 324) : std::span<const double>());
   });
 }
 
@@ -96,16 +97,16 @@ double FabricMembrane::step_bound(const State& state, const Eigen::VectorXd& dir
     moved.values = state.values + limit * direction;
     bool ok = true;
     for (int t = 0; t < triangles() && ok; ++t)
-      for (int q = 0; q < static_cast<int>(elements_[t].points.size()) && ok; ++q)
-        ok = area_ratio(moved, t, q) > 0.05 * area_ratio(state, t, q);
+      for (const TrianglePoint& q : triangle_rule())
+        ok = ok && area_ratio(moved, t, q.L) > 0.05 * area_ratio(state, t, q.L);
     if (ok) break;
   }
   return limit;
 }
 
-double FabricMembrane::area_ratio(const State& state, int triangle, int point) const {
+double FabricMembrane::area_ratio(const State& state, int triangle, const Eigen::Vector3d& L) const {
   const Element& element = elements_[triangle];
-  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * element.points[point].gradient.transpose();
+  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * (p2_derivatives(L) * element.flat_gradient);
   return F.col(0).cross(F.col(1)).norm();
 }
 

@@ -24,7 +24,7 @@ class FabricMembrane : public Term {
   std::string name() const override { return "fabric membrane"; }
   const ElementEntries& entries() const override { return entries_; }
   double energy(const State& state) const override;
-  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
 
   /// Residual compressive stiffness eta of the relaxed energy at load s: 1e-2 at the start, `final_eta` at s = 1.
@@ -37,10 +37,9 @@ class FabricMembrane : public Term {
   };
   Summary summary(const State& state, int triangle) const;
   int triangles() const { return static_cast<int>(elements_.size()); }
-  /// Rest area of a quadrature point on the pattern, m2.
-  double pattern_area(int triangle, int point) const { return elements_[triangle].points[point].weight; }
-  /// Current area over pattern area at a quadrature point.
-  double area_ratio(const State& state, int triangle, int point) const;
+  /// Current area over pattern area at the area coordinates L of a triangle.
+  double area_ratio(const State& state, int triangle, const Eigen::Vector3d& L) const;
+  double pattern_area(int triangle) const { return elements_[triangle].area; }
 
  private:
   struct Point {
@@ -51,6 +50,8 @@ class FabricMembrane : public Term {
   };
   struct Element {
     std::array<int, 6> nodes;              ///< representative nodes
+    Eigen::Matrix<double, 3, 2> flat_gradient;  ///< of the area coordinates, 1/m
+    double area = 0.0;                     ///< on the pattern, m2
     Eigen::Matrix2d frame;                 ///< columns: warp, weft on the pattern
     std::vector<Point> points;
   };

@@ -28,4 +28,21 @@ const std::vector<TrianglePoint>& triangle_rule() {
   return rule;
 }
 
+std::vector<TrianglePoint> composite_rule(int n) {
+  std::vector<TrianglePoint> points;
+  const auto part = [&](const Eigen::Vector2d& corner, double side) {
+    for (const TrianglePoint& q : triangle_rule()) {
+      const Eigen::Vector2d x = corner + side * Eigen::Vector2d(q.L[1], q.L[2]);
+      points.push_back({{1.0 - x.sum(), x[0], x[1]}, q.weight * side * side});
+    }
+  };
+  const double side = 1.0 / n;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i + j < n; ++i) {
+      part({i * side, j * side}, side);
+      if (i + j + 1 < n) part({(i + 1) * side, (j + 1) * side}, -side);  // the part upside down
+    }
+  return points;
+}
+
 }  // namespace snug::solver

@@ -39,4 +39,7 @@ struct TrianglePoint {
 /// Seven points, exact to degree 5 (deal.II QGaussSimplex).
 const std::vector<TrianglePoint>& triangle_rule();
 
+/// The same rule on the n x n congruent parts of the triangle.
+std::vector<TrianglePoint> composite_rule(int n);
+
 }  // namespace snug::solver

@@ -66,18 +66,18 @@ double SkinMembraneTerm::energy(const State& state) const {
   return sum;
 }
 
-bool SkinMembraneTerm::assemble(const State& state, bool tangent, Sink& sink) const {
+bool SkinMembraneTerm::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<MembraneElement<9>> slots(128);
   const auto compute = [&](int e, MembraneElement<9>& slot) {
     const NodeVectors<9> x = positions(state, elements_[e]);
     slot.zero();
     for (const Point& point : elements_[e].points)
-      add_membrane_point<9>(x, point.d, point.weight, response(x, point), tangent, slot);
+      add_membrane_point<9>(x, point.d, point.weight, response(x, point), wanted(tangent), slot);
     return slot.residual.allFinite();
   };
   return for_elements(static_cast<int>(elements_.size()), slots, compute, [&](int e, MembraneElement<9>& slot) {
     sink.add(e, {slot.residual.data(), 27},
-             tangent ? std::span<const double>(slot.matrix.data(), 27 * 27) : std::span<const double>());
+             wanted(tangent) ? std::span<const double>(slot.matrix.data(), 27 * 27) : std::span<const double>());
   });
 }
 

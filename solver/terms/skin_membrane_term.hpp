@@ -18,7 +18,7 @@ class SkinMembraneTerm : public Term {
   std::string name() const override { return "skin membrane"; }
   const ElementEntries& entries() const override { return entries_; }
   double energy(const State& state) const override;
-  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
 
  private:
   struct Point {

@@ -33,7 +33,7 @@ SkinPressureLoad::SkinPressureLoad(const Layout& layout, const mesh::BodyMesh& m
   }
 }
 
-bool SkinPressureLoad::assemble(const State& state, bool tangent, Sink& sink) const {
+bool SkinPressureLoad::assemble(const State& state, Tangent tangent, Sink& sink) const {
   Eigen::Matrix<double, 27, 1> residual;
   Eigen::Matrix<double, 27, 27, Eigen::RowMajor> matrix;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
@@ -48,13 +48,13 @@ bool SkinPressureLoad::assemble(const State& state, bool tangent, Sink& sink) co
       const Eigen::Matrix3d t1 = cross_matrix(t.col(0)), t2 = cross_matrix(t.col(1));
       for (int a = 0; a < 9; ++a) {
         residual.segment<3>(3 * a) += p * shape.N[a] * n;
-        for (int b = 0; b < 9 && tangent; ++b)
+        for (int b = 0; b < 9 && wanted(tangent); ++b)
           matrix.block<3, 3>(3 * a, 3 * b) += p * shape.N[a] * (shape.dN(b, 1) * t1 - shape.dN(b, 0) * t2);
       }
     }
     const Eigen::Matrix<double, 27, 27, Eigen::RowMajor> symmetric = 0.5 * (matrix + matrix.transpose());
     sink.add(static_cast<int>(f), {residual.data(), 27},
-             tangent ? std::span<const double>(symmetric.data(), 27 * 27) : std::span<const double>());
+             wanted(tangent) ? std::span<const double>(symmetric.data(), 27 * 27) : std::span<const double>());
   }
   return true;
 }

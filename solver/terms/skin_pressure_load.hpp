@@ -17,7 +17,7 @@ class SkinPressureLoad : public Term {
 
   std::string name() const override { return "skin pressure"; }
   const ElementEntries& entries() const override { return entries_; }
-  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void measure(const State& state, Measure& measure) const override;
 
  private:

@@ -39,7 +39,8 @@ class SkinSurface {
 
  private:
   struct Tree;
-  bool settle(const State& state, const Eigen::Vector3d& x, Site& site) const;
+  /// Walks from `site` to the facet that x projects into; the first facet may be left by `stay` without leaving it.
+  bool settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const;
   void connect();
 
   Layout layout_;

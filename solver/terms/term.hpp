@@ -27,6 +27,11 @@ struct Measure {
   int active = 0, changed = 0;     ///< contact nodes; changed in the last update
 };
 
+/// What to assemble beside the residual. `convex` leaves out the parts of the tangent that may be indefinite away from
+/// equilibrium (the skin's own turning and sliding under a contact pressure that the tissue does not carry yet).
+enum class Tangent { none, full, convex };
+inline bool wanted(Tangent tangent) { return tangent != Tangent::none; }
+
 class Term {
  public:
   virtual ~Term() = default;
@@ -35,9 +40,9 @@ class Term {
   virtual const ElementEntries& entries() const = 0;
   /// Energy (J) at the state where one exists, NaN where none does.
   virtual double energy(const State&) const { return std::numeric_limits<double>::quiet_NaN(); }
-  /// Residual (gradient of the energy) and, if `tangent`, its derivative, element by element.
+  /// Residual (gradient of the energy) and, if wanted, its derivative, element by element.
   /// Returns false when the state is not admissible (inverted cell).
-  virtual bool assemble(const State& state, bool tangent, Sink& sink) const = 0;
+  virtual bool assemble(const State& state, Tangent tangent, Sink& sink) const = 0;
   /// Largest fraction of `direction` that stays admissible, at most `limit`.
   virtual double step_bound(const State&, const Eigen::VectorXd& direction, double limit) const { return limit; }
   /// Looks at a new iterate (search, active set) before assembly. Returns true when `entries` changed.

@@ -115,17 +115,17 @@ void Tissue::residual_and_tangent(const Cell& cell, const Kinematics& k, bool ta
   slot.matrix.noalias() += D.transpose() * (middle * D);
 }
 
-bool Tissue::assemble(const State& state, bool tangent, Sink& sink) const {
+bool Tissue::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<Slot> slots(64);
   const auto compute = [&](int e, Slot& slot) {
     Kinematics k;
     if (!kinematics(state, cells_[e], k)) return false;
-    residual_and_tangent(cells_[e], k, tangent, slot);
+    residual_and_tangent(cells_[e], k, wanted(tangent), slot);
     return slot.residual.allFinite();
   };
   return for_elements(cells(), slots, compute, [&](int e, Slot& slot) {
     sink.add(e, {slot.residual.data(), 81},
-             tangent ? std::span<const double>(slot.matrix.data(), 81 * 81) : std::span<const double>());
+             wanted(tangent) ? std::span<const double>(slot.matrix.data(), 81 * 81) : std::span<const double>());
   });
 }
 

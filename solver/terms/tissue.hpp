@@ -23,7 +23,7 @@ class Tissue : public Term {
   std::string name() const override { return "tissue"; }
   const ElementEntries& entries() const override { return entries_; }
   double energy(const State& state) const override;
-  bool assemble(const State& state, bool tangent, Sink& sink) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
 
   /// Cauchy stress (Pa; xx yy zz xy yz xz) at the 27 nodes of a cell, extrapolated from the quadrature points.

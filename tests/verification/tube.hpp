@@ -19,7 +19,7 @@ struct TubeCase {
   std::string tissue = "law = 'neo-Hooke'\nshear_modulus = '10 kPa'\npoisson_ratio = 0.49";
   std::string fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
   int around = 16, along = 4, through = 2;
-  double cell_size = 0.0;                                         ///< m, garment; 0: as the skin
+  double cell_size = 0.0;                                         ///< m, garment; 0: half the skin's
   std::string tier = "L4", basis = "hat";
 };
 
@@ -60,7 +60,7 @@ inline solver::Meshes make_meshes(const input::Case& c) {
   solver::Meshes meshes;
   meshes.limb = mesh::make_limb(*c.body);
   meshes.body = mesh::make_body_mesh(*c.body, meshes.limb);
-  if (c.garment) meshes.garment = mesh::make_garment_mesh(*c.garment, meshes.limb, meshes.body.mean_skin_cell);
+  if (c.garment) meshes.garment = mesh::make_garment_mesh(*c.garment, meshes.limb, 0.5 * meshes.body.mean_skin_cell);
   return meshes;
 }
 
