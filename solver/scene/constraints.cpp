@@ -40,6 +40,10 @@ void constrain_garment(const input::Case& description, const mesh::GarmentMesh& 
     const TurnPin pin = turn_pin(garment);
     fix(constraints, layout.garment(pin.node, pin.component));
   }
+  if (garment.order == 1)
+    for (const auto& triangle : garment.triangles)
+      for (int k = 3; k < 6; ++k)
+        for (int c = 0; c < 3; ++c) fix(constraints, layout.garment(garment.merged[triangle[k]], c));
   for (std::size_t node = 0; node < garment.merged.size(); ++node) {
     if (garment.merged[node] == static_cast<int>(node)) continue;
     for (int c = 0; c < 3; ++c) {  // a seam: this side follows the other

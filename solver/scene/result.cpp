@@ -45,6 +45,10 @@ void fill_garment(const FabricMembrane& fabric, const Layout& layout, const Stat
   result.triangles = mesh.triangles;
   for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
     result.current.push_back(state.values.segment<3>(layout.garment(mesh.merged[node])));
+  if (mesh.order == 1)
+    for (const auto& triangle : mesh.triangles)
+      for (int k = 0; k < 3; ++k)
+        result.current[triangle[3 + k]] = 0.5 * (result.current[triangle[k]] + result.current[triangle[(k + 1) % 3]]);
   result.contact_pressure.assign(mesh.pattern.size(), 0.0);
   for (int t = 0; t < fabric.triangles(); ++t) {
     const auto s = fabric.summary(state, t);

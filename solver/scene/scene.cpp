@@ -162,14 +162,15 @@ void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene&
 
 }  // namespace
 
-Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin) {
+Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin,
+                 std::optional<double> prestretch) {
   const bool deformable = skin == Skin::deformable, contact = description.garment && description.contact;
   const Layout layout = make_layout(body, garment, deformable, contact);
   Scene scene(layout, make_numbering(description, body, garment, layout));
   if (deformable) add_body(description, body, scene);
   if (!description.garment) return scene;
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
-  scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric));
+  scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric, prestretch));
   scene.set_proximal_weights(proximal_weights(layout, garment, fabric_stiffness(fabric)));
   if (contact)
     scene.add(std::make_unique<Contact>(layout, garment, body, deformable, contact_stiffness(fabric, garment, body, skin),

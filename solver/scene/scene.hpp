@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solver/algebra/linear_solver.hpp"
@@ -61,8 +62,10 @@ class Scene {
 /// Which bodies of the tiers take part.
 enum class Skin { rigid, deformable };
 
-/// Builds the scene of a case from its parts. Throws input::InputError when a material is not found.
-Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin);
+/// Builds the scene of a case from its parts. With a `prestretch` the garment's rest shape is not its pattern but its
+/// placed shape shrunk by that factor (verification). Throws input::InputError when a material is not found.
+Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin,
+                 std::optional<double> prestretch = {});
 
 /// The strain-free start: body at rest, garment as placed, no contact pressure, s = 0.
 State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment);

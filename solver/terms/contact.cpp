@@ -36,7 +36,7 @@ Contact::Contact(const Layout& layout, const mesh::GarmentMesh& garment, const m
       rule_(composite_rule(parts(garment.mean_edge, body.mean_skin_cell))), basis_(basis), stiffness_(stiffness),
       reach_(5.0 * body.mean_skin_cell), step_limit_(0.5 * garment.mean_edge),
       vertex_of_node_(garment.pattern.size(), -1) {
-  for (const TrianglePoint& q : rule_) shape_.push_back(p2_values(q.L));
+  for (const TrianglePoint& q : rule_) shape_.push_back(garment_values(garment.order, q.L));
   for (const auto& triangle : garment.triangles) {
     Element element;
     for (int a = 0; a < 6; ++a) element.nodes[a] = garment.merged[triangle[a]];

@@ -86,7 +86,7 @@ class Contact : public Term {
   Layout layout_;
   SkinSurface skin_;
   std::vector<TrianglePoint> rule_;      ///< finer where the garment is coarse against the skin
-  std::vector<Eigen::Matrix<double, 6, 1>> shape_;  ///< P2 values at the rule's points
+  std::vector<Eigen::Matrix<double, 6, 1>> shape_;  ///< values at the rule's points
   GapBasis basis_;
   double stiffness_;
   double reach_;                         ///< m, points farther from the skin face none

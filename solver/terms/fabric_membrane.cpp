@@ -11,7 +11,7 @@ namespace snug::solver {
 
 FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
                                std::optional<double> prestretch)
-    : layout_(layout), fabric_(fabric) {
+    : layout_(layout), fabric_(fabric), order_(mesh.order) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corner = mesh.triangles[t];
     Element element;
@@ -28,7 +28,7 @@ FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& me
     element.flat_gradient = flat.gradient, element.area = flat.area;
     for (const TrianglePoint& q : triangle_rule()) {
       Point point;
-      point.gradient = (p2_derivatives(q.L) * flat.gradient).transpose();
+      point.gradient = (garment_derivatives(order_, q.L) * flat.gradient).transpose();
       point.weight = q.weight * flat.area;
       const Eigen::Matrix<double, 3, 2> F0 = placed * point.gradient.transpose();
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> U0(Eigen::Matrix2d(F0.transpose() * F0));
@@ -106,7 +106,7 @@ double FabricMembrane::step_bound(const State& state, const Eigen::VectorXd& dir
 
 double FabricMembrane::area_ratio(const State& state, int triangle, const Eigen::Vector3d& L) const {
   const Element& element = elements_[triangle];
-  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * (p2_derivatives(L) * element.flat_gradient);
+  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * (garment_derivatives(order_, L) * element.flat_gradient);
   return F.col(0).cross(F.col(1)).norm();
 }
 

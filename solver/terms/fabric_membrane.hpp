@@ -60,6 +60,7 @@ class FabricMembrane : public Term {
 
   Layout layout_;
   materials::Fabric fabric_;
+  int order_;                              ///< of the triangles
   std::vector<Element> elements_;
   ElementEntries entries_;
   double final_eta_ = 1e-3;

@@ -1,4 +1,4 @@
-// Shape functions of the P2 triangle and its quadrature, on area coordinates L = (1 - xi - eta, xi, eta).
+// Shape functions of the garment's triangle (P2; P1 for verification) and its quadrature, on area coordinates L = (1 - xi - eta, xi, eta).
 #pragma once
 
 #include <Eigen/Core>
@@ -22,6 +22,22 @@ inline Eigen::Matrix<double, 6, 3> p2_derivatives(const Eigen::Vector3d& L) {
   D(3, 0) = 4 * L[1], D(3, 1) = 4 * L[0];
   D(4, 1) = 4 * L[2], D(4, 2) = 4 * L[1];
   D(5, 2) = 4 * L[0], D(5, 0) = 4 * L[2];
+  return D;
+}
+
+/// Values on a mesh of the given order: linear triangles give their mid-edge nodes nothing.
+inline Eigen::Matrix<double, 6, 1> garment_values(int order, const Eigen::Vector3d& L) {
+  if (order == 2) return p2_values(L);
+  Eigen::Matrix<double, 6, 1> N = Eigen::Matrix<double, 6, 1>::Zero();
+  N.head<3>() = L;
+  return N;
+}
+
+/// d N_a / d L_i on a mesh of the given order, 6 x 3.
+inline Eigen::Matrix<double, 6, 3> garment_derivatives(int order, const Eigen::Vector3d& L) {
+  if (order == 2) return p2_derivatives(L);
+  Eigen::Matrix<double, 6, 3> D = Eigen::Matrix<double, 6, 3>::Zero();
+  D.topRows<3>().setIdentity();
   return D;
 }
 
