@@ -19,6 +19,7 @@ struct Layout {
 struct State {
   Eigen::VectorXd values;  ///< see Layout
   double load = 0.0;       ///< s: 0 = placed and strain-free, 1 = the garment's rest metric is its pattern's
+  double stiffening = 1.0; ///< factor on the body's own energy while it is released under the garment; 1 at the end
 };
 
 }  // namespace snug::solver

@@ -1,6 +1,7 @@
 #include "solver/stepping/load_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace snug::solver {
 
@@ -18,29 +19,36 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
 }
 
 // Straight extrapolation of the last increment; pressures stay non-negative.
-State predict(const State& last, const State& before, double load, const Layout& layout) {
-  State guess = last;
-  guess.load = load;
-  const double span = last.load - before.load;
+State predict(const PathResult& last, const State& before, double span, double step, const Layout& layout) {
+  State guess = last.state;
   if (span <= 0.0) return guess;
-  guess.values += std::min((load - last.load) / span, 2.0) * (last.values - before.values);
+  guess.values += std::min(step / span, 2.0) * (last.state.values - before.values);
   guess.values.tail(layout.multipliers) = guess.values.tail(layout.multipliers).cwiseMax(0.0);
   return guess;
 }
 
 }  // namespace
 
-PathResult follow_path(Scene& scene, State start, const PathSettings& path, const IterationSink& sink) {
+Homotopy tightening() {
+  return [](State& state, double t) { state.load = t; };
+}
+
+Homotopy releasing() {
+  return [](State& state, double t) { state.stiffening = std::pow(1e3, 1.0 - t); };
+}
+
+PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& path,
+                       const IterationSink& sink) {
   PathResult result;
   result.state = start;
   State before = start;
-  double step = path.first_step;
+  double step = path.first_step, span = 0.0;
   int failures = 0;
-  while (result.state.load < 1.0) {
-    const double load = std::min(1.0, result.state.load + step);
-    const bool last = load > 1.0 - 1e-12;
-    State trial = failures == 0 ? predict(result.state, before, load, scene.layout()) : result.state;
-    trial.load = load;
+  while (result.reached < 1.0) {
+    const double t = std::min(1.0, result.reached + step);
+    const bool last = t > 1.0 - 1e-12;
+    State trial = failures == 0 ? predict(result, before, span, t - result.reached, scene.layout()) : result.state;
+    homotopy(trial, t);
     const int increment = result.increments + 1;
     const Outcome outcome =
         newton(scene, trial, increment_settings(path, last, failures), [&](postproc::Iteration row) {
@@ -49,11 +57,13 @@ PathResult follow_path(Scene& scene, State start, const PathSettings& path, cons
         });
     if (outcome == Outcome::converged) {
       before = result.state;
+      span = t - result.reached;
       result.state = trial;
+      result.reached = t;
       result.increments = increment;
       failures = 0;
       step *= 1.5;
-      if (result.state.load + 1.3 * step > 1.0) step = 1.0 - result.state.load;
+      if (t + 1.3 * step > 1.0) step = 1.0 - t;
     } else {
       result.message = to_string(outcome);
       if (++failures > path.failures || step < path.smallest_step) return result;

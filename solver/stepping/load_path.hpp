@@ -1,4 +1,4 @@
-// The load path s = 0 ... 1 with step control and recovery.
+// A path of increments t = 0 ... 1 with step control and recovery.
 #pragma once
 
 #include "solver/stepping/newton.hpp"
@@ -13,15 +13,24 @@ struct PathSettings {
   NewtonSettings newton;        ///< of the final increment
 };
 
+/// What changes along the path: puts the state at t in [0, 1].
+using Homotopy = std::function<void(State& state, double t)>;
+/// The garment tightens: s = t.
+Homotopy tightening();
+/// The body gives way under the tightened garment: its stiffness falls from 1000 times its own to its own.
+Homotopy releasing();
+
 struct PathResult {
   State state;                  ///< the last converged one
-  bool complete = false;        ///< s = 1 reached
+  double reached = 0.0;         ///< t of that state
+  bool complete = false;        ///< t = 1 reached
   int increments = 0;
   std::string message;          ///< why not
 };
 
 /// Secant prediction, Newton, longer steps after success, shorter steps and a stronger proximal term after failure.
 /// Always returns the last converged state.
-PathResult follow_path(Scene& scene, State start, const PathSettings& settings, const IterationSink& sink);
+PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& settings,
+                       const IterationSink& sink);
 
 }  // namespace snug::solver

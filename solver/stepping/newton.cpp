@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace snug::solver {
 
 std::string to_string(Outcome outcome) {
   switch (outcome) {
     case Outcome::converged: return "converged";
+    case Outcome::no_progress: return "the iteration makes no progress";
     case Outcome::too_many_iterations: return "too many iterations";
     case Outcome::linear_solver_failed: return "the linear solver failed";
     case Outcome::inadmissible: return "an inverted cell could not be avoided";
@@ -59,6 +61,19 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   return c;
 }
 
+// Far from the solution for long: eight iterations without a residual a fifth lower than the best one before.
+class Patience {
+ public:
+  bool lost(double residual) {
+    if (residual < 0.8 * best_) best_ = residual, waited_ = 0;
+    return ++waited_ > 8 && best_ > 1e-3;
+  }
+
+ private:
+  double best_ = std::numeric_limits<double>::max();
+  int waited_ = 0;
+};
+
 }  // namespace
 
 Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const IterationSink& sink) {
@@ -67,6 +82,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   postproc::Iteration row;
   row.load = state.load;
   row.step = 1.0;
+  Patience patience;
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
     const Check now = check(scene, state, settings);
     row.iteration = iteration;
@@ -74,6 +90,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     row.contact_nodes = now.measure.active, row.changed = now.measure.changed;
     sink(row);
     if (now.done) return Outcome::converged;
+    if (patience.lost(now.residual)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
     Eigen::VectorXd step;
     const double proximal = settings.proximal * std::min(1.0, now.residual) + 1e-12;

@@ -20,7 +20,7 @@ struct NewtonSettings {
   bool may_lag = false;
 };
 
-enum class Outcome { converged, too_many_iterations, linear_solver_failed, inadmissible };
+enum class Outcome { converged, no_progress, too_many_iterations, linear_solver_failed, inadmissible };
 std::string to_string(Outcome outcome);
 
 using IterationSink = std::function<void(const postproc::Iteration&)>;

@@ -98,9 +98,9 @@ class Run {
   bool accept(const Scene& scene, const PathResult& path, const std::string& name) {
     result_.increments = increments_before_ += path.increments;
     result_.iterations = static_cast<int>(result_.history.size());
-    result_.status = path.complete ? "converged" : path.state.load > 0.0 ? "partial" : "failed";
+    result_.status = path.complete ? "converged" : increments_before_ > 0 ? "partial" : "failed";
     if (!path.complete)
-      result_.message = fmt::format("{} stopped at s = {:.4f}: {}", name, path.state.load, path.message);
+      result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", name, 100.0 * path.reached, path.message);
     phase(name);
     return path.complete;
   }
@@ -108,7 +108,8 @@ class Run {
   void one_path(Skin skin, const std::string& name) {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, skin);
     phase("set-up");
-    const auto path = follow_path(scene, placed_state(scene.layout(), meshes_.body, meshes_.garment), settings(), sink(name));
+    const auto path = follow_path(scene, placed_state(scene.layout(), meshes_.body, meshes_.garment), tightening(),
+                                  settings(), sink(name));
     accept(scene, path, name);
     fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
     phase("results");
@@ -120,8 +121,7 @@ class Run {
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
     phase("set-up");
     State state = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
-    rigid.find<Contact>()->close_all(state);
-    const auto path = follow_path(rigid, state, settings(), sink("rigid skin"));
+    const auto path = follow_path(rigid, state, tightening(), settings(), sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
     if (complete && result_.tier == "L4" && !stray(rigid, path.state)) return release_body(rigid, path.state);
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
@@ -132,26 +132,20 @@ class Run {
   void release_body(const Scene& rigid, const State& on_rigid) {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
     phase("set-up");
-    PathSettings path = settings();
-    State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
-    PathResult released{start, false, 0, ""};
-    IterationSink to_history = sink("body");
-    released.complete = newton(scene, released.state, path.newton, to_history) == Outcome::converged;
-    released.increments = 1;
-    if (!released.complete) {
-      phase("body");
-      released = follow_path(scene, placed(scene), path, to_history);
-    }
+    const PathSettings path = settings();
+    const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    PathResult released{start, 1.0, false, 1, ""};
+    released.complete = newton(scene, released.state, path.newton, sink("body")) == Outcome::converged;
+    if (!released.complete) released = follow_path(scene, start, releasing(), path, sink("body, step by step"));
     accept(scene, released, "body");
-    fill_result(scene, released.state, meshes_.body, meshes_.garment, result_);
+    if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
+      result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
+      fill_result(rigid, on_rigid, meshes_.body, meshes_.garment, result_);
+    } else {
+      fill_result(scene, released.state, meshes_.body, meshes_.garment, result_);
+    }
     if (released.complete) name_sliding();
     phase("results");
-  }
-
-  State placed(Scene& scene) {
-    State state = placed_state(scene.layout(), meshes_.body, meshes_.garment);
-    if (auto* contact = scene.find<Contact>()) contact->close_all(state);
-    return state;
   }
 
   /// A garment that no edge holds was pinned at its upper edge: a force there means that it would slide off.

@@ -61,7 +61,7 @@ double SkinMembraneTerm::energy(const State& state) const {
   double sum = 0.0;
   for (const Element& element : elements_) {
     const NodeVectors<9> x = positions(state, element);
-    for (const Point& point : element.points) sum += point.weight * response(x, point).energy;
+    for (const Point& point : element.points) sum += state.stiffening * point.weight * response(x, point).energy;
   }
   return sum;
 }
@@ -72,7 +72,7 @@ bool SkinMembraneTerm::assemble(const State& state, Tangent tangent, Sink& sink)
     const NodeVectors<9> x = positions(state, elements_[e]);
     slot.zero();
     for (const Point& point : elements_[e].points)
-      add_membrane_point<9>(x, point.d, point.weight, response(x, point), wanted(tangent), slot);
+      add_membrane_point<9>(x, point.d, state.stiffening * point.weight, response(x, point), wanted(tangent), slot);
     return slot.residual.allFinite();
   };
   return for_elements(static_cast<int>(elements_.size()), slots, compute, [&](int e, MembraneElement<9>& slot) {

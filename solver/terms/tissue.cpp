@@ -121,6 +121,7 @@ bool Tissue::assemble(const State& state, Tangent tangent, Sink& sink) const {
     Kinematics k;
     if (!kinematics(state, cells_[e], k)) return false;
     residual_and_tangent(cells_[e], k, wanted(tangent), slot);
+    if (state.stiffening != 1.0) slot.residual *= state.stiffening, slot.matrix *= state.stiffening;
     return slot.residual.allFinite();
   };
   return for_elements(cells(), slots, compute, [&](int e, Slot& slot) {
@@ -137,7 +138,7 @@ double Tissue::energy(const State& state) const {
     sum += k.volumetric_energy;
     for (int q = 0; q < points; ++q) sum += cell.weight[q] * materials::isochoric(*cell.law, k.F[q]).energy;
   }
-  return sum;
+  return state.stiffening * sum;
 }
 
 namespace {
