@@ -1,0 +1,78 @@
+// Speed of the kernels that a run spends its time in. Not a test: build and run the target snug_benchmark.
+#include <benchmark/benchmark.h>
+
+#include "solver/scene/scene.hpp"
+#include "tests/verification/tube.hpp"
+
+namespace {
+
+using namespace snug;
+
+/// A tube with its sleeve, at the strain-free start.
+struct Bench {
+  input::Case description;
+  solver::Meshes meshes;
+  solver::Scene scene;
+  solver::State state;
+
+  static Bench make() {
+    tests::TubeCase tube;
+    tube.around = 24, tube.through = 3;
+    input::Case c = tests::describe_tube(tube);
+    solver::Meshes meshes = tests::make_meshes(c);
+    solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, solver::Skin::deformable);
+    solver::State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+    state.load = 0.5;
+    return {std::move(c), std::move(meshes), std::move(scene), std::move(state)};
+  }
+};
+
+class NullSink : public solver::Sink {
+ public:
+  void add(int, std::span<const double> residual, std::span<const double>) override {
+    benchmark::DoNotOptimize(residual.data());
+  }
+};
+
+template <class T>
+void tangent(benchmark::State& loop) {
+  const Bench bench = Bench::make();
+  auto* term = bench.scene.find<T>();
+  term->update(bench.state);
+  NullSink sink;
+  for (auto _ : loop) term->assemble(bench.state, solver::Tangent::full, sink);
+  loop.SetItemsProcessed(loop.iterations() * term->entries().elements());
+}
+
+void search(benchmark::State& loop) {
+  const Bench bench = Bench::make();
+  auto* contact = bench.scene.find<solver::Contact>();
+  contact->update(bench.state);
+  for (auto _ : loop) contact->update(bench.state);
+  loop.SetItemsProcessed(loop.iterations() * contact->entries().elements() *
+                         static_cast<long>(contact->rule().size()));
+}
+
+void assemble_and_solve(benchmark::State& loop) {
+  Bench bench = Bench::make();
+  bench.scene.update(bench.state);
+  Eigen::VectorXd step;
+  for (auto _ : loop) {
+    bench.scene.assemble(bench.state, solver::Tangent::convex);
+    benchmark::DoNotOptimize(bench.scene.solve(1e-4, false, step).ok);
+  }
+  loop.SetItemsProcessed(loop.iterations() * bench.scene.numbering().unknowns());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const solver::Session session(argc, argv);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RegisterBenchmark("tissue tangent, cells", tangent<solver::Tissue>)->UseRealTime();
+  benchmark::RegisterBenchmark("fabric tangent, triangles", tangent<solver::FabricMembrane>)->UseRealTime();
+  benchmark::RegisterBenchmark("contact tangent, triangles", tangent<solver::Contact>)->UseRealTime();
+  benchmark::RegisterBenchmark("contact search, points", search)->UseRealTime();
+  benchmark::RegisterBenchmark("assembly and factor, unknowns", assemble_and_solve)->UseRealTime();
+  benchmark::RunSpecifiedBenchmarks();
+}
