@@ -2,12 +2,24 @@
 #include <dlfcn.h>
 #include <petscsys.h>
 
+#include <cstdlib>
+
 #include "solver/scene/run.hpp"
 
 namespace snug::solver {
 
+namespace {
+
+// Started without mpirun, Open MPI would start a daemon of its own, which takes a second and looks for a remote shell.
+char**& alone_unless_launched(char**& argv) {
+  if (!getenv("OMPI_COMM_WORLD_SIZE")) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  return argv;
+}
+
+}  // namespace
+
 struct Session::Runtime {
-  Runtime(int& argc, char**& argv) : mpi(argc, argv, dealii::numbers::invalid_unsigned_int) {
+  Runtime(int& argc, char**& argv) : mpi(argc, alone_unless_launched(argv), dealii::numbers::invalid_unsigned_int) {
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // a failed factorisation is an event for the recovery
   }
   dealii::Utilities::MPI::MPI_InitFinalize mpi;
