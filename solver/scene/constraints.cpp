@@ -32,7 +32,7 @@ bool turns_freely(const input::GarmentSpec& spec) {
 void constrain_garment(const input::Case& description, const mesh::GarmentMesh& garment, const Layout& layout,
                        Constraints& constraints) {
   auto held = description.garment->held;
-  if (slides_freely(description)) held.push_back({.edge = "upper", .held = "axis"});
+  if (slides_freely(description)) held.push_back({.edge = probe_edge(garment), .held = "axis"});
   for (const auto& edge : held)
     for (const int node : garment.edges.at(edge.edge))
       for (int c = edge.held == "all" ? 0 : 2; c < 3; ++c) fix(constraints, layout.garment(node, c));
@@ -55,6 +55,18 @@ void constrain_garment(const input::Case& description, const mesh::GarmentMesh& 
 }
 
 }  // namespace
+
+std::string probe_edge(const mesh::GarmentMesh& garment) {
+  const auto width = [&](const std::string& name) {
+    const auto& edge = garment.edges.at(name);
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    for (const int node : edge) centre += garment.placed[node] / static_cast<double>(edge.size());
+    double sum = 0.0;
+    for (const int node : edge) sum += (garment.placed[node] - centre).norm();
+    return sum / static_cast<double>(edge.size());
+  };
+  return width("lower") > (1.0 + 1e-6) * width("upper") ? "lower" : "upper";
+}
 
 TurnPin turn_pin(const mesh::GarmentMesh& garment) {
   const auto& edge = garment.edges.at("upper");

@@ -1,6 +1,8 @@
 // Who may move: prescribed and sewn entries of the state vector.
 #pragma once
 
+#include <string>
+
 #include "cases/input/case.hpp"
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/garment/garment_mesh.hpp"
@@ -15,6 +17,11 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
 /// True when no edge of the garment is held along the axis: it can slide off.
 bool slides_freely(const input::Case& description);
 
+/// The edge ("upper" or "lower") at which such a garment is held all the same, so that the reaction there tells whether
+/// it would slide: the wider one as placed. Without friction a garment is drawn towards the narrow end, and so it hangs
+/// from this edge; from the other one it would be pushed together.
+std::string probe_edge(const mesh::GarmentMesh& garment);
+
 /// Without friction nothing decides how far a garment is turned round the limb (and the facets of the skin would make a
 /// ratchet of it): one seam node of the upper edge keeps its place round the axis, and its reaction is reported.
 struct TurnPin {
@@ -24,8 +31,8 @@ struct TurnPin {
 TurnPin turn_pin(const mesh::GarmentMesh& garment);
 
 /// Bone nodes are fixed; the cut planes slide in their plane, are fixed or free; sewn garment nodes share their
-/// unknowns; held edges keep their axial place (a garment without any is held at its upper edge, and the reaction there
-/// tells whether it is in equilibrium). Built as deal.II AffineConstraints.
+/// unknowns; held edges keep their axial place (a garment without any is held at its probe edge). Built as
+/// deal.II AffineConstraints.
 Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                          const Layout& layout);
 

@@ -148,7 +148,7 @@ class Run {
     phase("results");
   }
 
-  /// A garment that no edge holds was pinned at its upper edge: a force there means that it would slide off.
+  /// A garment that no edge holds was held at its probe edge: a force there means that it would slide off.
   bool stray(const Scene& scene, const State& state) const {
     if (!slides_freely(case_)) return false;
     postproc::RunResult probe;
@@ -157,8 +157,8 @@ class Run {
     return sliding_force(probe) != 0.0;
   }
 
-  static double sliding_force(const postproc::RunResult& result) {
-    const auto it = result.balance.reactions.find("upper edge");
+  double sliding_force(const postproc::RunResult& result) const {
+    const auto it = result.balance.reactions.find(probe_edge(meshes_.garment) + " edge");
     const double force = it == result.balance.reactions.end() ? 0.0 : it->second.z();
     return std::abs(force) > 1e-5 * result.balance.contact_force ? force : 0.0;
   }
@@ -170,8 +170,8 @@ class Run {
     result_.status = "failed";
     result_.message = fmt::format(
         "no equilibrium: nothing holds the garment along the axis and a net contact force of {:.3g} N pushes it {}; "
-        "hold an edge: garment.held = [{{ edge = \"upper\", held = \"axis\" }}]",
-        std::abs(force), force > 0.0 ? "down" : "up");
+        "hold an edge: garment.held = [{{ edge = \"{}\", held = \"axis\" }}]",
+        std::abs(force), force > 0.0 ? "down" : "up", probe_edge(meshes_.garment));
   }
 
   const input::Case& case_;
