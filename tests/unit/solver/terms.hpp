@@ -16,48 +16,43 @@ struct Assembled {
 
 class DenseSink : public solver::Sink {
  public:
-  DenseSink(const solver::ElementEntries& entries, Assembled& out, bool tangent)
-      : entries_(entries), out_(out), tangent_(tangent) {}
+  DenseSink(const solver::ElementEntries& entries, Assembled& out) : entries_(entries), out_(out) {}
   void add(int element, std::span<const double> residual, std::span<const double> matrix) override {
     const auto entries = entries_.of(element);
     const std::size_t n = entries.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      out_.residual[entries[i]] += residual[i];
-      for (std::size_t j = 0; tangent_ && j < n; ++j) out_.tangent(entries[i], entries[j]) += matrix[i * n + j];
-    }
+    for (std::size_t i = 0; i < n; ++i) out_.residual[entries[i]] += residual[i];
+    for (std::size_t k = 0; k < matrix.size(); ++k) out_.tangent(entries[k / n], entries[k % n]) += matrix[k];
   }
 
  private:
   const solver::ElementEntries& entries_;
   Assembled& out_;
-  bool tangent_;
 };
 
-inline Assembled assemble(const solver::Term& term, const solver::State& state, bool tangent) {
-  const Eigen::Index n = state.values.size();
-  Assembled out{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(tangent ? n : 0, tangent ? n : 0)};
-  DenseSink sink(term.entries(), out, tangent);
-  term.assemble(state, tangent ? solver::Tangent::full : solver::Tangent::none, sink);
+inline Assembled assemble(const solver::Term& term, const solver::State& state, solver::Tangent tangent) {
+  const Eigen::Index n = state.values.size(), m = solver::wanted(tangent) ? n : 0;
+  Assembled out{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(m, m)};
+  DenseSink sink(term.entries(), out);
+  term.assemble(state, tangent, sink);
   return out;
 }
 
-/// Error of central differences of the residual along `direction` against the tangent, for steps h, h/2, h/4 (relative).
+/// Error of central differences of the residual along `direction` against the tangent, for steps h, h/2, h/4
+/// (relative).
 inline std::array<double, 3> tangent_errors(solver::Term& term, const solver::State& state,
-                                            const Eigen::VectorXd& direction, double h, bool follow) {
-  const Eigen::VectorXd exact = [&] {
-    if (follow) term.update(state);
-    return Eigen::VectorXd(assemble(term, state, true).tangent * direction);
-  }();
+                                            const Eigen::VectorXd& direction, double h) {
+  term.update(state);
+  const Eigen::VectorXd exact = assemble(term, state, solver::Tangent::full).tangent * direction;
+  const auto residual_at = [&](double s) {
+    solver::State moved = state;
+    moved.values += s * direction;
+    term.update(moved);
+    return assemble(term, moved, solver::Tangent::none).residual;
+  };
   std::array<double, 3> errors{};
-  for (int k = 0; k < 3; ++k, h *= 0.5) {
-    const auto at = [&](double s) {
-      solver::State moved = state;
-      moved.values += s * direction;
-      if (follow) term.update(moved);
-      return assemble(term, moved, false).residual;
-    };
-    errors[k] = ((at(h) - at(-h)) / (2.0 * h) - exact).norm() / exact.norm();
-  }
+  for (int k = 0; k < 3; ++k, h *= 0.5)
+    errors[k] = ((residual_at(h) - residual_at(-h)) / (2.0 * h) - exact).norm() / exact.norm();
+  term.update(state);
   return errors;
 }
 

@@ -1,0 +1,151 @@
+// Numbering, scatter and the linear solver.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "solver/algebra/linear_solver.hpp"
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::ElementEntries, solver::LinearSolver, solver::Numbering, solver::SparseScatter;
+
+TEST(Numbering, PrescribedEntriesHaveNoUnknownAndSewnEntriesShareOne) {
+  const Numbering numbering({0, -1, 5, 0, 4, 5, 4});
+  const std::vector<int> expected = {0, -1, 2, 0, 1, 2, 1};
+  EXPECT_EQ(numbering.unknowns(), 3);
+  EXPECT_EQ(numbering.entries(), 7);
+  for (int i = 0; i < 7; ++i) EXPECT_EQ(numbering.unknown(i), expected[i]) << i;
+}
+
+Eigen::MatrixXd dense(const SparseScatter& scatter) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(scatter.rows(), scatter.rows());
+  for (int row = 0; row < scatter.rows(); ++row)
+    for (int k = scatter.row_offsets()[row]; k < scatter.row_offsets()[row + 1]; ++k)
+      matrix(row, scatter.columns()[k]) += scatter.values()[k];
+  return matrix;
+}
+
+TEST(SparseScatter, EqualsDenseAssemblyWithSewnAndPrescribedEntries) {
+  const Numbering numbering({0, -1, 2, 0, 4, 5, 4, 7, 2});  // element 0 of group 0 holds both sides of a seam
+  ElementEntries first, second;
+  first.push(std::vector<int>{0, 1, 3, 4}), first.push(std::vector<int>{5, 2, 7});
+  second.push(std::vector<int>{8, 6}), second.push(std::vector<int>{1, 1}), second.push(std::vector<int>{7, 0, 5});
+  const std::vector<const ElementEntries*> groups = {&first, &second};
+  SparseScatter scatter;
+  scatter.build(numbering, groups, 0, numbering.unknowns());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(5, 5);
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(5);
+  for (int g = 0; g < 2; ++g)
+    for (int e = 0; e < groups[g]->elements(); ++e) {
+      const auto entries = groups[g]->of(e);
+      const std::size_t n = entries.size();
+      const Eigen::VectorXd r = random_vector(n, 1.0, 10 * g + e), m = random_vector(n * n, 1.0, 100 + 10 * g + e);
+      scatter.add(g, e, {r.data(), n}, {m.data(), n * n});
+      for (std::size_t i = 0; i < n; ++i) {
+        const int row = numbering.unknown(entries[i]);
+        if (row >= 0) residual[row] += r[i];
+        for (std::size_t j = 0; j < n; ++j)
+          if (const int column = numbering.unknown(entries[j]); row >= 0 && column >= 0)
+            matrix(row, column) += m[i * n + j];
+      }
+    }
+  EXPECT_LE((dense(scatter) - matrix).norm(), 1e-14);
+  EXPECT_LE((scatter.residual() - residual).norm(), 1e-14);
+  const Eigen::VectorXd diagonal = random_vector(5, 1.0, 7);
+  scatter.add_diagonal(diagonal);
+  matrix.diagonal() += diagonal;
+  EXPECT_LE((dense(scatter) - matrix).norm(), 1e-14);
+  scatter.zero();
+  EXPECT_EQ(dense(scatter).norm() + scatter.residual().norm(), 0.0);
+}
+
+constexpr int positions = 40, multipliers = 6;
+
+/// [K, -G^T; -G, -eps] with K positive definite: what contact with multipliers leads to.
+Eigen::MatrixXd quasi_definite(unsigned seed) {
+  constexpr int n = positions + multipliers;
+  const Eigen::VectorXd values = random_vector(n * n, 1.0, seed);
+  const Eigen::MatrixXd R = Eigen::Map<const Eigen::MatrixXd>(values.data(), n, n);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  A.topLeftCorner(positions, positions) =
+      R.topLeftCorner(positions, positions) * R.topLeftCorner(positions, positions).transpose();
+  A.diagonal().head(positions).array() += 1.0;
+  A.bottomLeftCorner(multipliers, positions) = -R.bottomLeftCorner(multipliers, positions);
+  A.topRightCorner(positions, multipliers) = -R.bottomLeftCorner(multipliers, positions).transpose();
+  A.diagonal().tail(multipliers).setConstant(-1e-6);
+  return A;
+}
+
+/// A scatter of one dense element.
+class OneElement {
+ public:
+  explicit OneElement(int n) : size_(n) {
+    std::vector<int> all(n);
+    for (int i = 0; i < n; ++i) all[i] = i;
+    entries_.push(all);
+    scatter_.build(Numbering(all), {&entries_}, 0, n);
+  }
+  const SparseScatter& operator()(const Eigen::MatrixXd& matrix) {
+    const auto n = static_cast<std::size_t>(size_);
+    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(size_);
+    scatter_.zero();
+    scatter_.add(0, 0, {zero.data(), n}, {matrix.data(), n * n});  // symmetric: either order of storage
+    return scatter_;
+  }
+
+ private:
+  int size_;
+  ElementEntries entries_;
+  SparseScatter scatter_;
+};
+
+struct LinearSystem : testing::Test {
+  static constexpr int n = positions + multipliers;
+  OneElement element{n};
+  LinearSolver solver;
+  Eigen::VectorXd right = random_vector(n, 1.0, 9), x;
+
+  void SetUp() override { solver.reset(element(quasi_definite(5)), n); }
+  double error(const Eigen::MatrixXd& matrix) const { return (matrix * x - right).norm() / right.norm(); }
+};
+
+TEST_F(LinearSystem, AQuasiDefiniteMatrixIsSolvedAndHasOneNegativePivotAMultiplier) {
+  const Eigen::MatrixXd A = quasi_definite(5);
+  const auto report = solver.solve(element(A), right, x, false);
+  EXPECT_TRUE(report.ok);
+  EXPECT_TRUE(report.refactored);
+  EXPECT_EQ(report.negative_pivots, multipliers);
+  EXPECT_LE(error(A), 1e-10);
+}
+
+TEST_F(LinearSystem, ALaggedFactorSolvesAMatrixNearby) {
+  Eigen::MatrixXd A = quasi_definite(5);
+  ASSERT_TRUE(solver.solve(element(A), right, x, false).ok);
+  A.diagonal().head(positions) *= 1.01;
+  const auto report = solver.solve(element(A), right, x, true);
+  EXPECT_TRUE(report.ok);
+  EXPECT_FALSE(report.refactored);
+  EXPECT_LE(report.iterations, 12);
+  EXPECT_LE(error(A), 1e-8);
+}
+
+TEST_F(LinearSystem, ALaggedFactorGivesWayToAFreshOneWhereItDoesNotHelp) {
+  ASSERT_TRUE(solver.solve(element(quasi_definite(5)), right, x, false).ok);
+  const Eigen::MatrixXd other = quasi_definite(77);
+  const auto report = solver.solve(element(other), right, x, true);
+  EXPECT_TRUE(report.ok);
+  EXPECT_TRUE(report.refactored);
+  EXPECT_LE(error(other), 1e-10);
+}
+
+TEST_F(LinearSystem, ASingularMatrixIsReportedAndDoesNotThrow) {
+  Eigen::MatrixXd A = quasi_definite(5);
+  A.row(3).setZero(), A.col(3).setZero();
+  const auto report = solver.solve(element(A), right, x, false);
+  EXPECT_FALSE(report.ok);
+}
+
+}  // namespace
+}  // namespace snug::tests

@@ -1,0 +1,152 @@
+// A scene has the parts that the case names and no others; one without equilibrium is recognised and named.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "solver/scene/laplace.hpp"
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::Skin;
+using testing::ElementsAre, testing::HasSubstr, testing::Key, testing::UnorderedElementsAre;
+
+TubeCase coarse() {
+  TubeCase tube;
+  tube.around = 8, tube.along = 2, tube.through = 1;
+  return tube;
+}
+
+std::vector<std::string> term_names(const input::Case& c, Skin skin) {
+  const solver::Meshes meshes = make_meshes(c);
+  const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, skin);
+  std::vector<std::string> names;
+  for (const auto& term : scene.terms()) names.push_back(term->name());
+  return names;
+}
+
+std::vector<std::string> phase_names(const postproc::RunResult& result) {
+  std::vector<std::string> names;
+  for (const auto& phase : result.phases) names.push_back(phase.name);
+  return names;
+}
+
+TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
+  input::Case c = describe_tube(coarse());
+  c.garment.reset(), c.contact.reset();
+  c.load.emplace().skin_pressure = 1000.0;
+  const solver::Meshes meshes = make_meshes(c);
+  EXPECT_THAT(solver::plan(c, meshes).unknowns, ElementsAre(Key("body")));
+  EXPECT_THAT(term_names(c, Skin::deformable), ElementsAre("tissue", "skin pressure"));
+  const postproc::RunResult result = solver::solve(c, meshes);
+  EXPECT_EQ(result.status, "converged");
+  EXPECT_THAT(result.unknowns, ElementsAre(Key("body")));
+  EXPECT_THAT(phase_names(result), ElementsAre("set-up", "body", "results"));
+  EXPECT_TRUE(result.samples.empty());
+  EXPECT_TRUE(result.garment.triangles.empty());
+  EXPECT_EQ(result.numbers.count("mean_contact_pressure_Pa"), 0u);
+}
+
+TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
+  TubeCase tube = coarse();
+  tube.tier = "L1";
+  const input::Case c = describe_tube(tube);
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "contact"));
+  const postproc::RunResult result = run(tube);
+  EXPECT_EQ(result.status, "converged");
+  EXPECT_THAT(result.unknowns, UnorderedElementsAre(Key("garment"), Key("contact")));
+  EXPECT_THAT(phase_names(result), ElementsAre("law of Laplace", "set-up", "rigid skin", "results"));
+  EXPECT_TRUE(result.body.cells.empty());
+}
+
+TEST(Parts, AGarmentWithoutContactHasNoContactTermAndNoMultipliers) {
+  input::Case c = describe_tube(coarse());
+  c.contact.reset();
+  c.solver.tier = "L1";
+  const solver::Meshes meshes = make_meshes(c);
+  EXPECT_THAT(solver::plan(c, meshes).unknowns, ElementsAre(Key("garment")));
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane"));
+}
+
+TEST(Parts, TierL0HasNoUnknownsAtAll) {
+  TubeCase tube = coarse();
+  tube.tier = "L0";
+  const input::Case c = describe_tube(tube);
+  EXPECT_TRUE(solver::plan(c, make_meshes(c)).unknowns.empty());
+  const postproc::RunResult result = run(tube);
+  EXPECT_EQ(result.status, "converged");
+  EXPECT_TRUE(result.unknowns.empty());
+  EXPECT_TRUE(result.history.empty());
+}
+
+TEST(Parts, EveryPartOfTheFullSceneIsThereOnce) {
+  EXPECT_THAT(term_names(describe_tube(coarse()), Skin::deformable),
+              ElementsAre("tissue", "fabric membrane", "contact"));
+}
+
+/// A sleeve of 40 mm that no edge holds, on a limb of 60 mm whose radius grows from `lower` to `upper`.
+input::Case free_sleeve(double lower, double upper) {
+  TubeCase tube = coarse();
+  tube.along = 4;
+  input::Case c = describe_tube(tube);
+  c.body->stations = std::filesystem::temp_directory_path() / ("snug-cone-" + std::to_string(::getpid()) + ".csv");
+  std::ofstream out(c.body->stations);
+  out.precision(17);
+  out << "height [m], girth [m], bone_girth [m]\n";
+  for (const double s : {0.0, 0.5, 1.0})
+    out << s * tube.length << ", " << 2.0 * std::numbers::pi * (lower + s * (upper - lower)) << ", 0.12\n";
+  c.garment->held.clear();
+  c.garment->position = 0.010;
+  c.garment->pattern.length = 0.040;
+  return c;
+}
+
+/// Statics: on a frictionless cone of half angle a every hoop tension pushes the sleeve towards the narrow end
+/// (reference book 3, "frictionless sleeve on a rigid cone"): it holds only when an edge is held.
+TEST(Equilibrium, AFreeSleeveOnAConeIsRecognisedAndTheRemedyNamed) {
+  const input::Case c = free_sleeve(0.049, 0.055);
+  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  EXPECT_EQ(result.status, "failed");
+  EXPECT_THAT(result.message, HasSubstr("no equilibrium"));
+  EXPECT_THAT(result.message, HasSubstr("pushes it down"));
+  EXPECT_THAT(result.message, HasSubstr("hold an edge: garment.held ="));
+}
+
+TEST(Equilibrium, TheDirectionOfSlidingFollowsTheCone) {
+  const input::Case c = free_sleeve(0.055, 0.049);
+  const solver::Meshes meshes = make_meshes(c);
+  EXPECT_EQ(solver::probe_edge(meshes.garment), "lower");
+  const postproc::RunResult result = solver::solve(c, meshes);
+  EXPECT_EQ(result.status, "failed");
+  EXPECT_THAT(result.message, HasSubstr("pushes it up"));
+  EXPECT_THAT(result.message, HasSubstr("edge = \"lower\""));
+}
+
+TEST(Equilibrium, AFreeSleeveOnARigidCylinderIsInEquilibrium) {
+  input::Case c = free_sleeve(0.055, 0.055);
+  c.solver.tier = "L1";
+  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  EXPECT_EQ(result.status, "converged") << result.message;
+}
+
+/// Hoop stretch l = R / Rf; T = c l (l^2 - 1) / 2 by the fabric law (S = c E); p = T / R by Laplace.
+TEST(Laplace, PressureOnACylinderIsTensionOverRadius) {
+  const TubeCase tube = coarse();
+  const input::Case c = describe_tube(tube);
+  const solver::Meshes meshes = make_meshes(c);
+  const auto l0 =
+      solver::laplace_pressure(*c.garment, materials::find_fabric(c.garment->fabric), meshes.limb, meshes.body);
+  const double stretch = tube.radius / tube.sleeve;
+  const double exact = 1000.0 * stretch * (stretch * stretch - 1.0) / 2.0 / tube.radius;  // 6392.045 Pa
+  EXPECT_NEAR(l0.mean, exact, 1e-8 * exact);
+  for (const auto& facet : meshes.body.skin_facets)
+    for (const int node : facet) {
+      EXPECT_TRUE(l0.covered[node]);
+      EXPECT_NEAR(l0.pressure[node], exact, 1e-8 * exact);
+    }
+}
+
+}  // namespace
+}  // namespace snug::tests

@@ -1,0 +1,188 @@
+// Every term's tangent is the derivative of its residual, its residual the gradient of its energy.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "solver/terms/skin_membrane_term.hpp"
+#include "solver/terms/skin_pressure_load.hpp"
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::Skin, solver::State, solver::Tangent, solver::Term;
+
+/// A coarse tube with a skin membrane, a pressure and a sleeve, off equilibrium everywhere: the sleeve is turned
+/// against the skin, stretched along the axis by `axial`, and all nodes are shaken by 0.02 mm.
+struct Shaken {
+  input::Case description;
+  solver::Meshes meshes;
+  solver::Scene scene;
+  State state;
+
+  explicit Shaken(Skin skin, const std::string& basis = "hat", double axial = 1.05)
+      : description(describe(basis)),
+        meshes(make_meshes(description)),
+        scene(solver::make_scene(description, meshes.body, meshes.garment, skin)),
+        state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
+    const solver::Layout& layout = scene.layout();
+    state.load = 0.6, state.stiffening = 3.0;
+    state.values.head(layout.multiplier(0)) += random_vector(layout.multiplier(0), 2e-5, 1);
+    const Eigen::AngleAxisd turn(0.07, Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d middle(0.0, 0.0, 0.03);
+    for (int node = 0; node < layout.garment_nodes; ++node) {
+      auto x = state.values.segment<3>(layout.garment(node));
+      const Eigen::Vector3d arm = turn * (x - middle);
+      x = middle + Eigen::Vector3d(arm.x(), arm.y(), axial * arm.z());
+    }
+    for (int i = 0; i < layout.multipliers; ++i) state.values[layout.multiplier(i)] = 5000.0 + 1000.0 * std::sin(i);
+  }
+
+  static input::Case describe(const std::string& basis) {
+    TubeCase tube;
+    tube.around = 6, tube.along = 2, tube.through = 1, tube.cell_size = 0.03, tube.basis = basis;
+    input::Case c = describe_tube(tube);
+    c.load.emplace();
+    c.load->skin_pressure = 3000.0;
+    input::LayerSpec& skin = c.body->layers.emplace_back();
+    skin.name = "skin", skin.form = "membrane", skin.thickness = 1.5e-3, skin.material.table = tube.tissue;
+    return c;
+  }
+
+  /// Random direction of the positions; pressures stay.
+  Eigen::VectorXd direction() const {
+    Eigen::VectorXd d = random_vector(scene.layout().size(), 1.0, 2);
+    d.tail(scene.layout().multipliers).setZero();
+    return d;
+  }
+  /// All multipliers decide for contact whatever the gap, so that the active set stays over the differences.
+  solver::Contact& contact() {
+    auto* contact = scene.find<solver::Contact>();
+    contact->set_stiffness(1.0);
+    contact->update(state);
+    return *contact;
+  }
+};
+
+double asymmetry(const Eigen::MatrixXd& matrix) { return (matrix - matrix.transpose()).norm() / matrix.norm(); }
+
+void expect_factor_four(Term& term, const State& state, const Eigen::VectorXd& direction) {
+  const auto errors = tangent_errors(term, state, direction, 4e-6);
+  EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.3) << term.name() << ": " << errors[0] << ", " << errors[1];
+  EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.3) << term.name() << ": " << errors[1] << ", " << errors[2];
+}
+
+void expect_energy_slope(const Term& term, const State& state, const Eigen::VectorXd& direction) {
+  const auto energy = [&](double s) {
+    State moved = state;
+    moved.values += s * direction;
+    return term.energy(moved);
+  };
+  const auto slope = [&](double h) { return (energy(h) - energy(-h)) / (2.0 * h); };
+  const double extrapolated = (4.0 * slope(4e-6) - slope(8e-6)) / 3.0;
+  const double exact = assemble(term, state, Tangent::none).residual.dot(direction);
+  EXPECT_NEAR(extrapolated, exact, 1e-6 * std::abs(exact)) << term.name();
+}
+
+void expect_consistent(Term& term, const State& state, const Eigen::VectorXd& direction) {
+  expect_factor_four(term, state, direction);
+  expect_energy_slope(term, state, direction);
+  EXPECT_LE(asymmetry(assemble(term, state, Tangent::full).tangent), 1e-12) << term.name();
+}
+
+TEST(Tangents, TissueIsTheSecondDerivativeOfItsEnergy) {
+  Shaken shaken(Skin::deformable);
+  expect_consistent(*shaken.scene.find<solver::Tissue>(), shaken.state, shaken.direction());
+}
+
+TEST(Tangents, SkinMembraneIsTheSecondDerivativeOfItsEnergy) {
+  Shaken shaken(Skin::deformable);
+  expect_consistent(*shaken.scene.find<solver::SkinMembraneTerm>(), shaken.state, shaken.direction());
+}
+
+TEST(Tangents, TautFabricIsTheSecondDerivativeOfItsEnergy) {
+  Shaken shaken(Skin::deformable, "hat", 1.05);
+  auto& fabric = *shaken.scene.find<solver::FabricMembrane>();
+  for (int t = 0; t < fabric.triangles(); ++t) EXPECT_EQ(fabric.summary(shaken.state, t).wrinkled, 0.0);
+  expect_consistent(fabric, shaken.state, shaken.direction());
+}
+
+TEST(Tangents, WrinkledFabricIsTheSecondDerivativeOfItsRelaxedEnergy) {
+  Shaken shaken(Skin::deformable, "hat", 0.94);
+  auto& fabric = *shaken.scene.find<solver::FabricMembrane>();
+  for (int t = 0; t < fabric.triangles(); ++t) EXPECT_EQ(fabric.summary(shaken.state, t).wrinkled, 1.0);
+  expect_consistent(fabric, shaken.state, shaken.direction());
+}
+
+class ContactTangent : public testing::TestWithParam<std::tuple<Skin, std::string>> {};
+
+TEST_P(ContactTangent, IsTheDerivativeOfForcesAndGapsWithPointsFoundAnew) {
+  Shaken shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  expect_factor_four(shaken.contact(), shaken.state, shaken.direction());
+}
+
+TEST_P(ContactTangent, IsSymmetricAlsoInItsConvexForm) {
+  Shaken shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  solver::Contact& contact = shaken.contact();
+  for (const Tangent tangent : {Tangent::full, Tangent::convex})
+    EXPECT_LE(asymmetry(assemble(contact, shaken.state, tangent).tangent), 1e-12);
+}
+
+TEST_P(ContactTangent, ForcesAreLinearInThePressures) {
+  Shaken shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  solver::Contact& contact = shaken.contact();
+  const Eigen::Index forces = shaken.scene.layout().multiplier(0);
+  Eigen::VectorXd direction = random_vector(shaken.scene.layout().size(), 1.0, 3);
+  direction.head(forces).setZero();
+  const Assembled at = assemble(contact, shaken.state, Tangent::full);
+  State moved = shaken.state;
+  moved.values += 1000.0 * direction;
+  const Eigen::VectorXd change = (assemble(contact, moved, Tangent::none).residual - at.residual).head(forces);
+  const Eigen::VectorXd exact = 1000.0 * (at.tangent * direction).head(forces);
+  EXPECT_LE((change - exact).norm(), 1e-12 * exact.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(SkinsAndBases, ContactTangent,
+                         testing::Combine(testing::Values(Skin::rigid, Skin::deformable),
+                                          testing::Values("hat", "dual")),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param) == Skin::rigid ? "rigid_" : "deformable_") +
+                                  std::get<1>(info.param);
+                         });
+
+/// The force is a quadratic polynomial of the positions, so that central differences are exact at any step.
+TEST(Tangents, SkinPressureIsExactAndSymmetricWhereTheCutPlanesStand) {
+  Shaken shaken(Skin::deformable);
+  auto& load = *shaken.scene.find<solver::SkinPressureLoad>();
+  Eigen::VectorXd direction = shaken.direction();
+  for (const auto* nodes : {&shaken.meshes.body.lower_nodes, &shaken.meshes.body.upper_nodes})
+    for (const int node : *nodes) direction.segment<3>(shaken.scene.layout().body(node)).setZero();
+  for (const double error : tangent_errors(load, shaken.state, direction, 1e-3)) EXPECT_LE(error, 1e-11);
+  EXPECT_LE(asymmetry(assemble(load, shaken.state, Tangent::full).tangent), 1e-12);
+}
+
+TEST(StepBound, AnInvertingDirectionIsCutBeforeACellInverts) {
+  const Shaken shaken(Skin::deformable);
+  const auto& tissue = *shaken.scene.find<solver::Tissue>();
+  const solver::Layout& layout = shaken.scene.layout();
+  Eigen::VectorXd inwards = Eigen::VectorXd::Zero(layout.size());  // turns the tube inside out at a full step
+  for (int node = 0; node < layout.body_nodes; ++node) {
+    const Eigen::Vector2d x = shaken.meshes.body.nodes[node].head<2>();
+    inwards.segment<2>(layout.body(node)) = -2.0 * (x.norm() - 0.020) * x.normalized();
+  }
+  const double bound = tissue.step_bound(shaken.state, inwards, 1.0);
+  const auto admissible = [&](double fraction) {
+    State moved = shaken.state;
+    moved.values += fraction * inwards;
+    return std::isfinite(tissue.energy(moved));
+  };
+  EXPECT_GT(bound, 0.3);
+  EXPECT_LT(bound, 0.5);  // radial stretch 1 - 2 a
+  EXPECT_TRUE(admissible(bound));
+  EXPECT_TRUE(admissible(bound / 0.9));  // the root of det F = 0.05 det F0, before the safety factor
+  EXPECT_FALSE(admissible(0.55));
+  EXPECT_EQ(tissue.step_bound(shaken.state, -0.2 * inwards, 1.0), 1.0);  // outwards: nothing to cut
+}
+
+}  // namespace
+}  // namespace snug::tests
