@@ -130,8 +130,7 @@ TEST(TubeSleeve, EveryTissueAndFabricLawMeetsItsRowWithinAThousandth) {
     tube.tissue = "law = 'neo-Hooke'\nshear_modulus = '10 kPa'\npoisson_ratio = " + row.poisson_ratio;
     tube.fabric = row.fabric;
     tube.sleeve = row.sleeve;
-    const Errors errors =
-        run_against({1e3 * row.pressure, 1e-3 * (row.outer_radius - 55.0)}, describe_tube(tube));
+    const Errors errors = run_against({1e3 * row.pressure, 1e-3 * (row.outer_radius - 55.0)}, describe_tube(tube));
     print_row(row.name, errors);
     EXPECT_LE(std::abs(errors.pressure), 1e-3) << row.name;
     EXPECT_LE(std::abs(errors.displacement), 1e-3) << row.name;
@@ -145,8 +144,7 @@ TEST(TubeSleeve, ThreeLayersMeetTheirRowWithinAThousandth) {
   const auto add = [&](const std::string& name, const std::string& shear_modulus, double thickness, int cells) {
     input::LayerSpec& layer = c.body->layers.emplace_back();
     layer.name = name, layer.cells = cells;
-    layer.material.table =
-        "law = 'neo-Hooke'\nshear_modulus = '" + shear_modulus + "'\npoisson_ratio = 0.49";
+    layer.material.table = "law = 'neo-Hooke'\nshear_modulus = '" + shear_modulus + "'\npoisson_ratio = 0.49";
     if (thickness > 0.0) layer.thickness = thickness;
   };
   add("muscle", "8 kPa", 0.0, 3);
