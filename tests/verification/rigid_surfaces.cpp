@@ -61,6 +61,7 @@ TEST_P(RigidSurfaces, StraightTrianglesOrFacetsMissIt) {
     for (const int order : {2, 1})
       if (flat || order == 1) {
         const auto answer = print({.surface = GetParam(), .order = order, .flat = flat});
+        EXPECT_TRUE(answer.converged);
         EXPECT_GT(answer.skin.rms, 0.05);
       }
 }
