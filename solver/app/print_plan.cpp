@@ -33,16 +33,47 @@ std::string plan_text(const std::string& title, const solver::Plan& plan) {
   return text;
 }
 
+namespace {
+
+/// Girths of a scan, which nobody has typed in, and how far the smooth skin is from the scan.
+std::string girths_text(const mesh::Limb& limb) {
+  std::string text =
+      fmt::format("girths\n  {:>11} {:>11} {:>11} {:>11}\n", "height [mm]", "girth [mm]", "width [mm]", "depth [mm]");
+  for (const mesh::GirthRow& row : mesh::girth_table(limb, 7))
+    text += fmt::format("  {:>11.0f} {:>11.1f} {:>11.1f} {:>11.1f}\n", row.height * 1e3, row.girth * 1e3,
+                        row.width * 1e3, row.depth * 1e3);
+  return text + fmt::format("  smooth skin against the scan: {:.2f} mm rms, {:.2f} mm at most\n\n",
+                            limb.residual.rms * 1e3, limb.residual.max * 1e3);
+}
+
+/// The garment against the mean girth it covers, as placed.
+std::string ease_text(const PreparedCase& prepared) {
+  const input::GarmentSpec& spec = *prepared.description.garment;
+  constexpr int rows = 33;
+  double girth = 0.0;
+  for (int i = 0; i < rows; ++i)
+    girth += prepared.meshes.limb.girth(spec.position + spec.pattern.length * i / (rows - 1.0)) / rows;
+  const double ease = spec.pattern.flat_circumference / girth - 1.0;
+  return fmt::format("  garment: {:.0f} mm round as cut on a mean girth of {:.0f} mm, {:.1f} % {}\n",
+                     spec.pattern.flat_circumference * 1e3, girth * 1e3, std::abs(ease) * 100.0,
+                     ease < 0.0 ? "smaller" : "larger");
+}
+
+}  // namespace
+
 std::string quality_text(const PreparedCase& prepared) {
-  std::string text = fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells",
-                                 "min jacobian", "mean jacobian", "aspect", "volume [ml]");
+  std::string text;
+  if (prepared.description.body && prepared.description.body->kind == "scan") text += girths_text(prepared.meshes.limb);
+  text += fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells", "min jacobian",
+                      "mean jacobian", "aspect", "volume [ml]");
   for (const mesh::QualityRow& row : prepared.quality)
     text += fmt::format("  {:<16} {:>8} {:>14.3f} {:>14.3f} {:>10.1f} {:>12.1f}\n", row.layer, row.cells,
                         row.min_scaled_jacobian, row.mean_scaled_jacobian, row.max_aspect, row.volume * 1e6);
   const mesh::GarmentMesh& garment = prepared.meshes.garment;
   if (!garment.triangles.empty())
     text += fmt::format("  garment: {} quadratic triangles, mean edge {:.1f} mm\n", garment.triangles.size(),
-                        garment.mean_edge * 1e3);
+                        garment.mean_edge * 1e3) +
+            ease_text(prepared);
   return text;
 }
 

@@ -10,7 +10,7 @@ namespace snug::app {
 /// Parts in and out, unknowns, memory and time expected.
 std::string plan_text(const std::string& title, const solver::Plan& plan);
 
-/// Cells, Jacobians and volumes by layer, and the size of the garment mesh.
+/// Girths of a scan; cells, Jacobians and volumes by layer; the size of the garment mesh and its ease.
 std::string quality_text(const PreparedCase& prepared);
 
 /// "3.2 s", "4 min 10 s"

@@ -1,50 +1,17 @@
 // The program as a user meets it: exit status, messages, and what is left on the disk.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/cases/program.hpp"
+
 namespace snug {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Outcome {
-  int status = -1;
-  std::string text;  ///< standard output and standard error together
-};
-
-class Program : public testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  /// Runs the built program inside a folder of its own.
-  Outcome snug(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && '" + SNUG_BINARY + "' " + arguments + " 2>&1";
-    Outcome outcome;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    std::array<char, 4096> block;
-    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
-      outcome.text.append(block.data(), n);
-    const int state = ::pclose(pipe);
-    outcome.status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
-    return outcome;
-  }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  std::string case_of(const std::string& name) const {
-    return "'" + (fs::path(SNUG_SOURCE_DIR) / "cases" / name).string() + "'";
-  }
-
-  const fs::path folder_ = fs::temp_directory_path() / ("snug-commands-" + std::to_string(::getpid()));
-};
 
 TEST_F(Program, WrongInputIsStatus2AndWritesNothing) {
   // A wrong case ends with status 2, all errors located, and no directory out/.

@@ -1,0 +1,43 @@
+// The built program, run in a folder of its own.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace snug {
+
+struct Outcome {
+  int status = -1;
+  std::string text;  ///< standard output and standard error together
+};
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  Outcome snug(const std::string& arguments) const {
+    const std::string command = "cd '" + folder_.string() + "' && '" + SNUG_BINARY + "' " + arguments + " 2>&1";
+    Outcome outcome;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    std::array<char, 4096> block;
+    for (std::size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+      outcome.text.append(block.data(), n);
+    const int state = ::pclose(pipe);
+    outcome.status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    return outcome;
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("snug-commands-" + std::to_string(::getpid()));
+};
+
+}  // namespace snug
