@@ -70,7 +70,7 @@ struct GarmentSpec {
           self.position);
     field(Field{.key = "cell_size",
                 .unit = "m",
-                .meaning = "edge length of the triangles; 0 m: the mean cell size of the skin",
+                .meaning = "edge length of the triangles; 0 m: half the mean cell size of the skin",
                 .bound = non_negative()},
           self.cell_size);
     field(Field{.key = "held", .meaning = "edges that the wearer or a band holds"}, self.held);

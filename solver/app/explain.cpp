@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 
 #include "cases/input/reference.hpp"
 #include "cases/input/suggestion.hpp"
@@ -35,20 +36,57 @@ bool matches(const std::string& key, const std::string& asked) {
          full.compare(full.size() - wanted.size() - 1, std::string::npos, "." + wanted) == 0;
 }
 
+/// A key that belongs to the section `asked`, at any depth.
+bool inside(const std::string& key, const std::string& asked) {
+  const std::string full = "." + plain(key), wanted = "." + plain(asked) + ".";
+  return full.find(wanted) != std::string::npos;
+}
+
+/// Words of `text` in lines of at most `width` characters; all lines but the first are indented.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+  std::istringstream words(text);
+  std::string result;
+  std::size_t column = 0;
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      result += "\n" + std::string(indent, ' ');
+      column = 0;
+    } else if (column > 0) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+  }
+  return result;
+}
+
+/// One row of a list: the key, its meaning and what may be written.
+std::string row_text(const input::ReferenceRow& row) {
+  std::string facts = row.kind + (row.field.unit.empty() ? "" : ", " + row.field.unit);
+  if (row.field.required) facts += ", required";
+  if (!row.field.choices.empty()) facts += ": " + input::joined(row.field.choices);
+  if (!row.default_value.empty()) facts += "; default " + row.default_value;
+  return fmt::format("  {:<36} {}\n", row.key, wrapped(row.field.meaning + " (" + facts + ")", 80, 39));
+}
+
 class Explain : public Command {
  public:
   std::string name() const override { return "explain"; }
   std::string summary() const override { return "what a key of case.toml or of a law means"; }
 
-  void declare(CLI::App& app) override { app.add_option("KEY", key_, "e.g. garment.position, thickness")->required(); }
+  void declare(CLI::App& app) override {
+    app.add_option("KEY", key_, "e.g. garment.position, thickness, or a section such as garment")->required();
+  }
 
   int execute() override {
-    std::string text;
+    std::string text, keys;
     std::vector<std::string> known;
     for (const input::ReferenceRow& row : whole_reference()) {
       known.push_back(last_part(row.key));
       if (matches(row.key, key_)) text += explanation(row);
+      if (inside(row.key, key_)) keys += row_text(row);
     }
+    if (!keys.empty()) text += "keys of it\n" + keys;
     if (text.empty()) {
       const std::string near = input::nearest(last_part(key_), known);
       throw input::InputError({"snug explain", 0, 0}, "there is no key " + key_,
@@ -64,13 +102,7 @@ class Explain : public Command {
 
 void print_rows(const std::string& head, const std::vector<input::ReferenceRow>& rows) {
   fmt::print("{}\n", head);
-  for (const input::ReferenceRow& row : rows) {
-    std::string facts = row.kind + (row.field.unit.empty() ? "" : ", " + row.field.unit);
-    if (row.field.required) facts += ", required";
-    if (!row.field.choices.empty()) facts += ": " + input::joined(row.field.choices);
-    if (!row.default_value.empty()) facts += "; default " + row.default_value;
-    fmt::print("  {:<36} {} ({})\n", row.key, row.field.meaning, facts);
-  }
+  for (const input::ReferenceRow& row : rows) fmt::print("{}", row_text(row));
 }
 
 class List : public Command {
