@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -29,7 +30,7 @@ struct Expected {
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
     field(Field{.key = "quantity",
-                .meaning = "dotted key of summary.json; rows of locations by their name",
+                .meaning = "dotted key of summary.json; rows of locations by their name, components by 0, 1, 2",
                 .required = true},
           self.quantity);
     field(Field{.key = "value", .meaning = "number expected, in the unit of the key"}, self.value);
@@ -63,14 +64,15 @@ std::vector<Expected> read_expected(const fs::path& file) {
   return result.expected;
 }
 
-/// The entry of an object by its key, of an array by the `location` or `name` of its rows.
+/// The entry of an object by its key, of an array by the `location` or `name` of its rows or by its place, from 0.
 const nlohmann::json* step_into(const nlohmann::json& from, const std::string& key) {
   if (from.is_object()) return from.contains(key) ? &from.at(key) : nullptr;
   if (!from.is_array()) return nullptr;
   for (const nlohmann::json& row : from)
     for (const char* name : {"location", "name"})
       if (row.is_object() && row.value(name, "") == key) return &row;
-  return nullptr;
+  const bool place = key.size() == 1 && std::isdigit(static_cast<unsigned char>(key[0])) != 0;
+  return place && from.size() > std::size_t(key[0] - '0') ? &from[std::size_t(key[0] - '0')] : nullptr;
 }
 
 const nlohmann::json* find(const nlohmann::json& summary, const std::string& dotted) {
