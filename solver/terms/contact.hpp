@@ -79,8 +79,11 @@ class Contact : public Term {
   void couple(Element& element);
   void rebuild_entries();
   void weigh(const State& state);
-  void add_point(const State& state, const Element& element, int q, Tangent tangent, Slot& slot) const;
-  void add_curvature(const Element& element, int q, const Gap& gap, double force, bool skin_moves, Slot& slot) const;
+  struct Patch;
+  void add_points(const State& state, const Element& element, Tangent tangent, Slot& slot) const;
+  void add_point(const State& state, const Element& element, int q, Tangent tangent, Patch& patch) const;
+  void add_curvature(int q, const Gap& gap, double force, bool skin_moves, Patch& patch) const;
+  void scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const;
   void add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const;
 
   Layout layout_;
