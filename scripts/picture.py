@@ -83,6 +83,15 @@ def scale(data, name, factor):
         array.SetValue(i, array.GetValue(i) / factor)
 
 
+def largest_inside(skin):
+    """The largest pressure where the garment covers the skin fully: a hem is a line and would take the whole scale."""
+    pressure, _ = array_of(skin, "contact_pressure")
+    coverage, _ = array_of(skin, "coverage")
+    inside = [pressure.GetValue(i) for i in range(pressure.GetNumberOfTuples())
+              if coverage is None or coverage.GetValue(i) > 0.95]
+    return max(inside, default=0.0) or pressure.GetRange()[1]
+
+
 def colours(table, top):
     function = vtk.vtkColorTransferFunction()
     function.SetColorSpaceToLab()
@@ -137,8 +146,8 @@ def plain(data, colour, width=None, depth_steps=0):
 def as_actor(mapper):
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetAmbient(0.6)
-    actor.GetProperty().SetDiffuse(0.45)
+    actor.GetProperty().SetAmbient(0.78)
+    actor.GetProperty().SetDiffuse(0.27)
     actor.GetProperty().SetSpecular(0.0)
     return actor
 
@@ -173,10 +182,10 @@ def colour_bar(window, function, title, box, size):
     style.ShadowOff()
     bar.SetPosition(0.05, 0.08)
     bar.SetWidth(0.5)
-    bar.SetHeight(0.72)
+    bar.SetHeight(0.68)
     bar.SetBarRatio(0.3)
     renderer.AddActor2D(bar)
-    text(renderer, title, 0.05, 0.84, size, centred=False)
+    text(renderer, title, 0.05, 0.82, size, centred=False)
     window.AddRenderer(renderer)
 
 
@@ -209,7 +218,7 @@ def main():
     parser = argparse.ArgumentParser(prog="scripts/picture")
     parser.add_argument("result", type=Path)
     parser.add_argument("--out", type=Path)
-    parser.add_argument("--unit", choices=PASCAL_PER_UNIT, default="kPa")
+    parser.add_argument("--unit", choices=PASCAL_PER_UNIT)
     parser.add_argument("--width", type=int, default=1500)
     arguments = parser.parse_args()
 
@@ -222,10 +231,14 @@ def main():
     skin = surface(deformed(body)) if body else None
     edge = plain(outline(sheet), INK, 2.0, 80000) if sheet else None
     if skin and array_of(skin, "contact_pressure")[0]:
-        scale(skin, "contact_pressure", PASCAL_PER_UNIT[arguments.unit])
-        function = colours(HEAT, round_up(max(array_of(skin, "contact_pressure")[0].GetRange()[1], 1e-3)))
+        unit = arguments.unit or ("Pa" if largest_inside(skin) < 2000 else "kPa")
+        scale(skin, "contact_pressure", PASCAL_PER_UNIT[unit])
+        top = round_up(max(largest_inside(skin), 1e-3))
+        function = colours(HEAT, top)
+        over = array_of(skin, "contact_pressure")[0].GetRange()[1]
+        note = f"\nhem up to {over:.3g}" if over > top else ""
         actors = [coloured(skin, "contact_pressure", function)] + ([edge] if edge else [])
-        rows.append((actors, function, f"contact pressure\n{arguments.unit}"))
+        rows.append((actors, function, f"contact pressure\n{unit}{note}"))
     if sheet:
         # The thread system that carries the garment: the one with the larger maximum.
         top, name = max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
