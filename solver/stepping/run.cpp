@@ -135,7 +135,12 @@ class Run {
     const PathSettings path = settings();
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
     PathResult released{start, 1.0, false, 1, ""};
-    released.complete = newton(scene, released.state, path.newton, sink("body")) == Outcome::converged;
+    const IterationSink rows = sink("body");
+    const auto in_one_step = [&](postproc::Iteration row) {
+      row.increment = 1;
+      rows(row);
+    };
+    released.complete = newton(scene, released.state, path.newton, in_one_step) == Outcome::converged;
     if (!released.complete) released = follow_path(scene, start, releasing(), path, sink("body, step by step"));
     accept(scene, released, "body");
     if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands

@@ -177,12 +177,6 @@ bool Contact::update(const State& state) {
   return moved;
 }
 
-void Contact::close_all(const State& state) {
-  locate(state);
-  weigh(state);
-  for (int i = 0; i < vertices(); ++i) active_[i] = facing_area_[i] > 0.05 * area_[i];
-}
-
 // What the points of one triangle on one facet add: 6 garment nodes, 9 facet nodes (three entries each), 3 multipliers.
 // Fixed size, so that a point costs no allocation and its products are vectorised.
 struct Contact::Patch {

@@ -41,8 +41,6 @@ class Contact : public Term {
   int vertices() const { return static_cast<int>(area_.size()); }
   /// Multiplier of a garment node, -1 where the node is no vertex.
   int multiplier_of(int node) const { return vertex_of_node_[node]; }
-  /// Puts every vertex that faces the skin in contact (start of the load path).
-  void close_all(const State& state);
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
   /// Active set as found by the last update, one flag a vertex.
   const std::vector<char>& active() const { return active_; }

@@ -188,7 +188,6 @@ inline RigidAnswer run(const RigidCase& rigid) {
   settings.first_step = 1.0;  // the placed shape is near the answer
   settings.newton.penetration = 1e-6 * garment.mean_edge;
   solver::State state = solver::placed_state(scene.layout(), body, garment);
-  scene.find<solver::Contact>()->close_all(state);
   const auto path =
       solver::follow_path(scene, state, solver::tightening(), settings, [](const postproc::Iteration&) {});
   RigidAnswer answer;
