@@ -104,7 +104,10 @@ class Run : public Command {
     warn_of_slow_blas();
     say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
     postproc::RunResult run = solve(prepared);
-    const auto evaluation = postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
+    // Nothing converged: the pressures mean nothing, and no rating or comfort is made of them.
+    const auto evaluation =
+        run.status == "failed" ? postproc::Evaluation{}
+                               : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
     write_all(run, evaluation, prepared, out);
     say(final_text(run, evaluation, out.target()));
     return status_of(run, directory);
