@@ -1,6 +1,6 @@
 #include "cases/input/reader.hpp"
 #include "materials/database/shipped.hpp"
-#include "materials/laws/solid_law.hpp"
+#include "materials/laws/inputs.hpp"
 
 namespace snug::materials {
 namespace {
@@ -23,13 +23,12 @@ struct Range {
 Tissue find_tissue(const input::MaterialReference& reference) {
   const Entry entry = find_entry(reference, shipped_tissues, file, "tissue");
   input::Diagnostics diagnostics;
-  input::read_choice(entry.table, "law", {"neo-Hooke"}, diagnostics);
   std::vector<std::string> others = common_keys();
   others.push_back("range");
-  const auto law = input::read<NeoHooke>(entry.table, diagnostics, {.also_known = others});
+  const auto law = read_solid_law(entry.table, others, diagnostics);
   const auto range = input::read<Range>(entry.table, diagnostics, {.also_known = entry.table.keys()});
   diagnostics.throw_if_any();
-  return {.name = entry.name, .law = law, .shear_range = range.shear_modulus, .source = entry.provenance.text()};
+  return {.name = entry.name, .law = *law, .shear_range = range.shear_modulus, .source = entry.provenance.text()};
 }
 
 std::vector<std::string> tissue_names() { return entry_names(shipped_tissues); }

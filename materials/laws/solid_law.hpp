@@ -1,32 +1,96 @@
-// The contract of a law of soft tissue: W(F) = W_iso(F) + U(J), with W_iso depending on J^(-1/3) F only.
-// The split is part of the contract because the element averages J inside the cell (three-field formulation).
+// The contract of a law of a solid. Soft, nearly incompressible laws are split, W(F) = W_iso(F) + U(J), with W_iso
+// depending on J^(-1/3) F only: the mixed element averages J inside the cell and asks for the two parts. Laws without
+// split are for displacement-only elements. Every law answers `coupled`.
 #pragma once
 
 #include <Eigen/Core>
 
 #include <array>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "cases/input/material_reference.hpp"
+#include "materials/laws/compressible_neo_hooke.hpp"
+#include "materials/laws/fung.hpp"
+#include "materials/laws/linear_elastic.hpp"
+#include "materials/laws/mooney_rivlin.hpp"
 #include "materials/laws/neo_hooke.hpp"
+#include "materials/laws/ogden.hpp"
 
 namespace snug::materials {
 
-/// Every law of tissue, visibly. Adding one is a file, this line, the line in the typed test list and a reference
-/// paragraph.
-using SolidLaw = std::variant<NeoHooke>;
+/// Every law of a solid, visibly. Adding one is a file, this line, its input (laws/inputs.hpp) and the line in the typed
+/// test list.
+using SolidLaw = std::variant<NeoHooke, MooneyRivlin, Ogden, Fung, CompressibleNeoHooke, LinearElastic>;
 
-inline IsochoricResponse isochoric(const SolidLaw& law, const Eigen::Matrix3d& F) {
-  return std::visit([&](const auto& l) { return l.isochoric(F); }, law);
+/// A law made of an isochoric and a volumetric part.
+template <class Law>
+concept Split = requires(const Law& law, const Eigen::Matrix3d& F) {
+  law.isochoric(F);
+  law.volumetric(1.0);
+};
+
+inline bool is_split(const SolidLaw& law) {
+  return std::visit([]<class Law>(const Law&) { return Split<Law>; }, law);
 }
+
+/// Isochoric part at F, det F > 0 (the caller's duty: steps are bounded before inversion). is_split(law) must hold.
+inline SolidResponse isochoric(const SolidLaw& law, const Eigen::Matrix3d& F) {
+  return std::visit(
+      [&]<class Law>(const Law& l) -> SolidResponse {
+        if constexpr (Split<Law>) return l.isochoric(F);
+        throw std::logic_error("a law without split has no isochoric part");
+      },
+      law);
+}
+/// Volumetric part at J > 0. is_split(law) must hold.
 inline VolumetricResponse volumetric(const SolidLaw& law, double J) {
-  return std::visit([&](const auto& l) { return l.volumetric(J); }, law);
+  return std::visit(
+      [&]<class Law>(const Law& l) -> VolumetricResponse {
+        if constexpr (Split<Law>) return l.volumetric(J);
+        throw std::logic_error("a law without split has no volumetric part");
+      },
+      law);
 }
-/// Shear modulus of the undeformed state, Pa.
+
+// P = P_iso + U' cof F,  A = A_iso + U'' cof (x) cof + U' dcof/dF,  dcof_iJ/dF_kL = (cof_iJ cof_kL - cof_iL cof_kJ)/J.
+template <Split Law>
+SolidResponse coupled(const Law& law, const Eigen::Matrix3d& F) {
+  const Eigen::Matrix3d cof = cofactor(F);
+  const double J = determinant(F, cof);
+  const VolumetricResponse v = law.volumetric(J);
+  SolidResponse r = law.isochoric(F);
+  r.energy += v.energy;
+  r.stress += v.pressure * cof;
+  const Eigen::Matrix<double, 9, 1> n = components(cof);
+  r.tangent += (v.modulus + v.pressure / J) * n * n.transpose();
+  add_swapped(r.tangent, -v.pressure / J, cof);
+  return r;
+}
+/// The whole law at F, det F > 0: energy, first Piola stress and tangent.
+inline SolidResponse coupled(const SolidLaw& law, const Eigen::Matrix3d& F) {
+  return std::visit(
+      [&]<class Law>(const Law& l) {
+        if constexpr (Split<Law>)
+          return coupled(l, F);
+        else
+          return l.coupled(F);
+      },
+      law);
+}
+
+/// Moduli of the undeformed state, Pa.
 inline double initial_shear_modulus(const SolidLaw& law) {
-  return std::visit([](const auto& l) { return l.shear_modulus; }, law);
+  return std::visit([](const auto& l) { return l.initial_shear_modulus(); }, law);
+}
+inline double initial_bulk_modulus(const SolidLaw& law) {
+  return std::visit([](const auto& l) { return l.initial_bulk_modulus(); }, law);
+}
+inline double initial_youngs_modulus(const SolidLaw& law) {
+  const double mu = initial_shear_modulus(law), kappa = initial_bulk_modulus(law);
+  return 9.0 * kappa * mu / (3.0 * kappa + mu);
 }
 
 /// A named tissue of the shipped data: law, parameters, range and source.

@@ -8,8 +8,7 @@
 #include "materials/database/shipped.hpp"
 #include "materials/fabric/fabric.hpp"
 #include "materials/fabric/inputs.hpp"
-#include "materials/laws/neo_hooke.hpp"
-#include "materials/laws/solid_law.hpp"
+#include "materials/laws/inputs.hpp"
 
 namespace snug::app {
 
@@ -48,7 +47,8 @@ std::string material_text(const std::string& name) {
 
 std::vector<input::ReferenceRow> law_reference() {
   std::vector<input::ReferenceRow> rows;
-  append(rows, input::reference_of<materials::NeoHooke>("neo-Hooke."));
+  materials::for_each_law_input(
+      [&]<class Input>() { append(rows, input::reference_of<Input>(Input::page().name + ".")); });
   append(rows, input::reference_of<materials::LinearFabric>("linear."));
   append(rows, input::reference_of<materials::CubicFabric>("cubic."));
   append(rows, input::reference_of<materials::KesFabric>("kes."));
