@@ -84,11 +84,11 @@ void fill_samples(const Contact& contact, const FabricMembrane& fabric, const St
                   std::vector<postproc::ContactSample>& samples) {
   samples = contact.samples(state);
   auto sample = samples.begin();
-  for (int t = 0; t < fabric.triangles(); ++t)
-    for (const TrianglePoint& q : contact.rule()) {
-      if (sample->facet >= 0) sample->area = fabric.area_ratio(state, t, q.L) * q.weight * fabric.pattern_area(t);
-      ++sample;
-    }
+  for (const auto& place : contact.places()) {
+    if (sample->facet >= 0)
+      sample->area = fabric.area_ratio(state, place.triangle, place.L) * place.weight * fabric.pattern_area(place.triangle);
+    ++sample;
+  }
 }
 
 void fill_contact_balance(const Contact& contact, const State& state, bool deformable, postproc::Balance& balance) {

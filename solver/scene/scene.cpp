@@ -54,6 +54,10 @@ void Scene::rebuild() {
   built_ = true;
 }
 
+void Scene::renew(const State& state) {
+  for (const auto& term : terms_) term->renew(state);
+}
+
 void Scene::update(const State& state) {
   bool changed = !built_;
   for (const auto& term : terms_) changed = term->update(state) || changed;

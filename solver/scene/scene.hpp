@@ -30,6 +30,8 @@ class Scene {
     return nullptr;
   }
 
+  /// Before an increment: terms renew what stands still during its iterations.
+  void renew(const State& state);
   /// Lets every term look at the state; the sparsity pattern follows when one asks for it.
   void update(const State& state);
   /// Residual and tangent of all terms into the matrix. False: inadmissible state.

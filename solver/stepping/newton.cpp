@@ -77,6 +77,7 @@ class Patience {
 }  // namespace
 
 Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const IterationSink& sink) {
+  scene.renew(state);
   scene.update(state);
   if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
   postproc::Iteration row;

@@ -11,11 +11,9 @@ namespace snug::solver {
 
 namespace {
 
-// Parts of a garment edge for the quadrature. The skin's shape functions have kinks inside a triangle, and what a rule
-// misses of them loads the skin's nodes unevenly: a part may be an eighth of a facet at most where those nodes move
-// (nodal noise of the tube sleeve 0.04 % against 0.24 % with a quarter), a quarter where they do not.
-int parts(double garment_edge, double skin_cell, bool deformable) {
-  return std::clamp(static_cast<int>(std::ceil((deformable ? 8.0 : 4.0) * garment_edge / skin_cell - 0.25)), 1, 8);
+// Parts of a garment edge for a triangle that could not be cut along the facets: a quarter of a facet.
+int parts(double garment_edge, double skin_cell) {
+  return std::clamp(static_cast<int>(std::ceil(4.0 * garment_edge / skin_cell - 0.25)), 1, 8);
 }
 
 // A facet counts as coupled to a triangle when a point is this near to it, so that the pattern of the matrix lasts.
@@ -34,10 +32,10 @@ struct Contact::Slot {
 Contact::Contact(const Layout& layout, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body, bool deformable,
                  double stiffness, GapBasis basis)
     : layout_(layout), skin_(layout, body, deformable),
-      rule_(composite_rule(parts(garment.mean_edge, body.mean_skin_cell, deformable))), basis_(basis), stiffness_(stiffness),
+      order_(garment.order), fallback_parts_(parts(garment.mean_edge, body.mean_skin_cell)),
+      skin_nodes_(static_cast<int>(body.nodes.size())), basis_(basis), stiffness_(stiffness),
       reach_(5.0 * body.mean_skin_cell), step_limit_(0.5 * garment.mean_edge),
       vertex_of_node_(garment.pattern.size(), -1) {
-  for (const TrianglePoint& q : rule_) shape_.push_back(garment_values(garment.order, q.L));
   for (const auto& triangle : garment.triangles) {
     Element element;
     for (int a = 0; a < 6; ++a) element.nodes[a] = garment.merged[triangle[a]];
@@ -54,7 +52,6 @@ Contact::Contact(const Layout& layout, const mesh::GarmentMesh& garment, const m
       area_[vertex] += element.area / 3.0;
       share_[vertex] += 1.0;
     }
-    element.sites.resize(rule_.size());
     elements_.push_back(element);
   }
   for (double& share : share_) share = 1.0 / share;
@@ -68,27 +65,31 @@ Eigen::Vector3d Contact::basis(const Eigen::Vector3d& L) const {
   return basis_ == GapBasis::hat ? L : Eigen::Vector3d(4.0 * L.array() - 1.0);  // 3 L_i - L_j - L_k
 }
 
-Eigen::Vector3d Contact::point(const State& state, const Element& element, int q) const {
-  const Eigen::Matrix<double, 6, 1>& N = shape_[q];
-  Eigen::Vector3d x = Eigen::Vector3d::Zero();
-  for (int a = 0; a < 6; ++a) x += N[a] * state.values.segment<3>(layout_.garment(element.nodes[a]));
+TriangleNodes Contact::positions(const State& state, const Element& element) const {
+  TriangleNodes x;
+  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(layout_.garment(element.nodes[a]));
   return x;
 }
 
-Contact::Gap Contact::gap(const State& state, const Element& element, int q) const {
+int Contact::points() const {
+  int sum = 0;
+  for (const Element& element : elements_) sum += static_cast<int>(element.points.size());
+  return sum;
+}
+
+Contact::Gap Contact::gap(const State& state, const TriangleNodes& x, const ContactPoint& point) const {
   Gap gap;
-  const Site& site = element.sites[q];
-  gap.x = point(state, element, q);
-  if (site.facet < 0) return gap;
-  gap.shape = facet_shape(site.xi);
-  gap.at = facet_point(skin_.positions(state, site.facet), gap.shape);
+  gap.x = x * point.N;
+  if (point.site.facet < 0) return gap;
+  gap.shape = facet_shape(point.site.xi);
+  gap.at = facet_point(skin_.positions(state, point.site.facet), gap.shape);
   gap.value = (gap.x - gap.at.y).dot(gap.at.n);
   gap.facing = std::abs(gap.value) < reach_;
   return gap;
 }
 
-double Contact::pressure(const State& state, const Element& element, int q) const {
-  const Eigen::Vector3d phi = basis(rule_[q].L);
+double Contact::pressure(const State& state, const Element& element, const ContactPoint& point) const {
+  const Eigen::Vector3d phi = basis(point.L);
   double p = 0.0;
   for (int v = 0; v < 3; ++v) p += phi[v] * state.values[layout_.multiplier(element.vertices[v])];
   return p;
@@ -104,7 +105,8 @@ void Contact::couple(Element& element) {
   };
   element.facets.clear();
   element.skin_nodes.clear();
-  for (const Site& site : element.sites) {
+  for (const ContactPoint& point : element.points) {
+    const Site& site = point.site;
     if (site.facet < 0) continue;
     add(site.facet);
     const auto& next = skin_.neighbours(site.facet);
@@ -129,16 +131,28 @@ void Contact::rebuild_entries() {
   }
 }
 
-bool Contact::locate(const State& state) {
+void Contact::renew(const State& state) {
+  const SkinNodes nodes = skin_nodes(skin_, state, skin_nodes_);
   tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
     Element& element = elements_[e];
-    for (int q = 0; q < static_cast<int>(rule_.size()); ++q)
-      element.sites[q] = skin_.follow(state, point(state, element, q), element.sites[q]);
+    const TriangleNodes x = positions(state, element);
+    const Eigen::Vector3d centre = x * garment_values(order_, Eigen::Vector3d::Constant(1.0 / 3.0));
+    const Site site = skin_.find(state, centre);
+    element.points.clear();
+    if (site.facet >= 0) element.points = cut_by_facets(skin_, nodes, x, order_, site.facet);
+    if (element.points.empty()) element.points = uncut_rule(fallback_parts_, order_);
+  });
+}
+
+bool Contact::locate(const State& state) {
+  tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
+    const TriangleNodes x = positions(state, elements_[e]);
+    for (ContactPoint& point : elements_[e].points) point.site = skin_.follow(state, x * point.N, point.site);
   });
   if (!skin_.deformable()) return false;
   bool changed = false;
   for (Element& element : elements_)
-    for (const Site& site : element.sites)
+    for (const auto& [L, weight, N, site] : element.points)
       if (site.facet >= 0 && std::find(element.facets.begin(), element.facets.end(), site.facet) == element.facets.end()) {
         couple(element);
         changed = true;
@@ -151,20 +165,22 @@ bool Contact::locate(const State& state) {
 void Contact::weigh(const State& state) {
   std::fill(weighted_gap_.begin(), weighted_gap_.end(), 0.0);
   std::fill(facing_area_.begin(), facing_area_.end(), 0.0);
-  for (const Element& element : elements_)
-    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) {
-      const Gap g = gap(state, element, q);
+  for (const Element& element : elements_) {
+    const TriangleNodes x = positions(state, element);
+    for (const ContactPoint& point : element.points) {
+      const Gap g = gap(state, x, point);
       if (!g.facing) continue;
-      const TrianglePoint& rule = rule_[q];
-      const Eigen::Vector3d phi = basis(rule.L);
+      const Eigen::Vector3d phi = basis(point.L);
       for (int v = 0; v < 3; ++v) {
-        weighted_gap_[element.vertices[v]] += rule.weight * element.area * phi[v] * g.value;
-        facing_area_[element.vertices[v]] += rule.weight * element.area * rule.L[v];
+        weighted_gap_[element.vertices[v]] += point.weight * element.area * phi[v] * g.value;
+        facing_area_[element.vertices[v]] += point.weight * element.area * point.L[v];
       }
     }
+  }
 }
 
 bool Contact::update(const State& state) {
+  if (points() == 0) renew(state);
   const bool moved = locate(state);
   weigh(state);
   changed_ = 0;
@@ -186,12 +202,12 @@ struct Contact::Patch {
   Eigen::Matrix<double, size, size> matrix = Eigen::Matrix<double, size, size>::Zero();
 };
 
-void Contact::add_curvature(int q, const Gap& gap, double force, bool skin_moves, Patch& patch) const {
+void Contact::add_curvature(const ContactPoint& point, const Gap& gap, double force, bool skin_moves, Patch& patch) const {
   // Second derivative of the gap for a frozen facet (Laursen, Computational Contact and Impact Mechanics, ch. 5):
   //   d2g = -(B_a D_a + D_a B_a) - k_ab D_a D_b + g m^ab (B_a + k_ac D_c)(B_b + k_bd D_d),
   // D_a = A^ab [ (dx - dy) . y_b + g n . dy_b ], A = m - g k, B_a = n . dy_a, as linear forms of the entries.
   Patch::Columns T = Patch::Columns::Zero(), B = Patch::Columns::Zero();
-  for (int a = 0; a < 6; ++a) T.middleRows<3>(3 * a) = shape_[q][a] * gap.at.tangent;
+  for (int a = 0; a < 6; ++a) T.middleRows<3>(3 * a) = point.N[a] * gap.at.tangent;
   for (int b = 0; b < 9 && skin_moves; ++b) {
     const int row = Patch::skin + 3 * b;
     B.middleRows<3>(row) = gap.at.n * gap.shape.dN.row(b);
@@ -205,15 +221,16 @@ void Contact::add_curvature(int q, const Gap& gap, double force, bool skin_moves
   patch.matrix.noalias() -= (force * left) * right.transpose();
 }
 
-void Contact::add_point(const State& state, const Element& element, int q, Tangent tangent, Patch& patch) const {
-  const Gap g = gap(state, element, q);
+void Contact::add_point(const State& state, const Element& element, const TriangleNodes& x, const ContactPoint& point,
+                        Tangent tangent, Patch& patch) const {
+  const Gap g = gap(state, x, point);
   if (!g.facing) return;
-  const double weight = rule_[q].weight * element.area, p = pressure(state, element, q);
+  const double weight = point.weight * element.area, p = pressure(state, element, point);
   Eigen::Matrix<double, Patch::size, 1> G = Eigen::Matrix<double, Patch::size, 1>::Zero();  // dg
-  for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = shape_[q][a] * g.at.n;
+  for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = point.N[a] * g.at.n;
   for (int b = 0; b < 9 && skin_.deformable(); ++b) G.segment<3>(Patch::skin + 3 * b) = -g.shape.N[b] * g.at.n;
   patch.residual -= weight * p * G;
-  const Eigen::Vector3d phi = basis(rule_[q].L);
+  const Eigen::Vector3d phi = basis(point.L);
   for (int v = 0; v < 3; ++v) {
     if (!active_[element.vertices[v]]) continue;
     patch.residual[Patch::rows + v] -= weight * phi[v] * g.value;
@@ -222,7 +239,7 @@ void Contact::add_point(const State& state, const Element& element, int q, Tange
     patch.matrix.row(Patch::rows + v) -= weight * phi[v] * G.transpose();
   }
   if (wanted(tangent) && p != 0.0)
-    add_curvature(q, g, weight * p, skin_.deformable() && tangent == Tangent::full, patch);
+    add_curvature(point, g, weight * p, skin_.deformable() && tangent == Tangent::full, patch);
 }
 
 void Contact::scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const {
@@ -245,17 +262,17 @@ void Contact::scatter(const Patch& patch, const Element& element, int facet, boo
 }
 
 void Contact::add_points(const State& state, const Element& element, Tangent tangent, Slot& slot) const {
-  const int points = static_cast<int>(rule_.size());
+  const TriangleNodes x = positions(state, element);
   if (!skin_.deformable()) {  // one patch does: the facets' nodes are no entries
     Patch patch;
-    for (int q = 0; q < points; ++q) add_point(state, element, q, tangent, patch);
+    for (const ContactPoint& point : element.points) add_point(state, element, x, point, tangent, patch);
     return scatter(patch, element, -1, wanted(tangent), slot);
   }
   for (const int facet : element.facets) {
     Patch patch;
     bool any = false;
-    for (int q = 0; q < points; ++q)
-      if (element.sites[q].facet == facet) add_point(state, element, q, tangent, patch), any = true;
+    for (const ContactPoint& point : element.points)
+      if (point.site.facet == facet) add_point(state, element, x, point, tangent, patch), any = true;
     if (any) scatter(patch, element, facet, wanted(tangent), slot);
   }
 }
@@ -316,38 +333,50 @@ void Contact::measure(const State& state, Measure& measure) const {
   for (const PointForce& force : point_forces(state)) measure.contact_force += force.force.norm();
 }
 
+std::vector<Contact::Place> Contact::places() const {
+  std::vector<Place> places;
+  places.reserve(points());
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (const ContactPoint& point : elements_[e].points) places.push_back({static_cast<int>(e), point.L, point.weight});
+  return places;
+}
+
 std::vector<Contact::PointForce> Contact::point_forces(const State& state) const {
   std::vector<PointForce> forces;
-  forces.reserve(elements_.size() * rule_.size());
-  for (const Element& element : elements_)
-    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) {
-      const Gap g = gap(state, element, q);
+  forces.reserve(points());
+  for (const Element& element : elements_) {
+    const TriangleNodes x = positions(state, element);
+    for (const ContactPoint& point : element.points) {
+      const Gap g = gap(state, x, point);
       PointForce force{g.x, g.x, Eigen::Vector3d::Zero()};
       if (g.facing) {
         force.y = g.at.y;
-        force.force = rule_[q].weight * element.area * pressure(state, element, q) * g.at.n;
+        force.force = point.weight * element.area * pressure(state, element, point) * g.at.n;
       }
       forces.push_back(force);
     }
+  }
   return forces;
 }
 
 std::vector<postproc::ContactSample> Contact::samples(const State& state) const {
   std::vector<postproc::ContactSample> samples;
-  samples.reserve(elements_.size() * rule_.size());
-  for (const Element& element : elements_)
-    for (int q = 0; q < static_cast<int>(rule_.size()); ++q) {
+  samples.reserve(points());
+  for (const Element& element : elements_) {
+    const TriangleNodes x = positions(state, element);
+    for (const ContactPoint& point : element.points) {
       postproc::ContactSample sample;
-      const Gap g = gap(state, element, q);
+      const Gap g = gap(state, x, point);
       if (g.facing) {
-        sample.facet = element.sites[q].facet;
-        sample.xi = std::clamp(element.sites[q].xi[0], -1.0, 1.0);  // a point may stay with its facet a little over the edge
-        sample.eta = std::clamp(element.sites[q].xi[1], -1.0, 1.0);
-        sample.force = rule_[q].weight * element.area * pressure(state, element, q);
+        sample.facet = point.site.facet;
+        sample.xi = std::clamp(point.site.xi[0], -1.0, 1.0);  // a point may stay with its facet a little over the edge
+        sample.eta = std::clamp(point.site.xi[1], -1.0, 1.0);
+        sample.force = point.weight * element.area * pressure(state, element, point);
         sample.touching = sample.force > 0.0;
       }
       samples.push_back(sample);
     }
+  }
   return samples;
 }
 

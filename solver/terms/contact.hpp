@@ -6,8 +6,7 @@
 
 #include "mesh/garment/garment_mesh.hpp"
 #include "postproc/result.hpp"
-#include "solver/terms/garment_shape.hpp"
-#include "solver/terms/skin_surface.hpp"
+#include "solver/terms/facet_cut.hpp"
 #include "solver/terms/term.hpp"
 
 namespace snug::solver {
@@ -23,8 +22,9 @@ enum class GapBasis { hat, dual };
 /// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / c_i, of the others: -eps_i p_i = 0.
 /// As p^old follows the iterate, eps_i regularises the step only (augmented Lagrangian updated every iteration): the
 /// matrix [K, -G^T; -G, -eps] is quasi-definite and the converged state has g~_i = 0 exactly.
-/// The quadrature does not move in the pattern, so a point's facet may be found anew at every evaluation and is frozen
-/// in the tangent  -sum_q w_q p_q d2 g_q.
+/// The quadrature stands still in the pattern while Newton's method iterates, so a point's facet may be found anew at every
+/// evaluation and is frozen in the tangent  -sum_q w_q p_q d2 g_q. `renew` cuts the triangles along the facets' edges as
+/// they lie then (facet_cut.hpp).
 class Contact : public Term {
  public:
   /// `stiffness` c (Pa/m) is computed by the scene from the parts' own stiffnesses.
@@ -36,6 +36,7 @@ class Contact : public Term {
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
   bool update(const State& state) override;
+  void renew(const State& state) override;
   void measure(const State& state, Measure& measure) const override;
 
   int vertices() const { return static_cast<int>(area_.size()); }
@@ -44,13 +45,15 @@ class Contact : public Term {
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
   /// Active set as found by the last update, one flag a vertex.
   const std::vector<char>& active() const { return active_; }
-  /// Quadrature points with their forces; `area` is filled by the caller, who knows the garment's stretch.
+  /// Quadrature points with their forces, in the order of `places`; `area` is filled by the caller, who knows the
+  /// garment's stretch.
   std::vector<postproc::ContactSample> samples(const State& state) const;
   /// Position, force on the garment (N) of every point, in the order of `samples`.
   struct PointForce { Eigen::Vector3d x, y, force; };
   std::vector<PointForce> point_forces(const State& state) const;
-  /// Quadrature of every triangle: `samples` and `point_forces` list its points triangle by triangle.
-  const std::vector<TrianglePoint>& rule() const { return rule_; }
+  /// Where the quadrature points stand on the garment; `weight` is the fraction of the triangle's rest area.
+  struct Place { int triangle; Eigen::Vector3d L; double weight; };
+  std::vector<Place> places() const;
 
  private:
   struct Element {
@@ -59,7 +62,7 @@ class Contact : public Term {
     double area = 0.0;               ///< on the pattern, m2
     std::vector<int> facets;         ///< whose nodes the element couples
     std::vector<int> skin_nodes;
-    std::vector<Site> sites;
+    std::vector<ContactPoint> points;
   };
   struct Slot;
   struct Gap {
@@ -70,24 +73,25 @@ class Contact : public Term {
     FacetPoint at;
   };
   Eigen::Vector3d basis(const Eigen::Vector3d& L) const;
-  Eigen::Vector3d point(const State& state, const Element& element, int q) const;
-  Gap gap(const State& state, const Element& element, int q) const;
-  double pressure(const State& state, const Element& element, int q) const;
+  TriangleNodes positions(const State& state, const Element& element) const;
+  Gap gap(const State& state, const TriangleNodes& x, const ContactPoint& point) const;
+  double pressure(const State& state, const Element& element, const ContactPoint& point) const;
+  int points() const;
   bool locate(const State& state);
   void couple(Element& element);
   void rebuild_entries();
   void weigh(const State& state);
   struct Patch;
   void add_points(const State& state, const Element& element, Tangent tangent, Slot& slot) const;
-  void add_point(const State& state, const Element& element, int q, Tangent tangent, Patch& patch) const;
-  void add_curvature(int q, const Gap& gap, double force, bool skin_moves, Patch& patch) const;
+  void add_point(const State& state, const Element& element, const TriangleNodes& x, const ContactPoint& point,
+                 Tangent tangent, Patch& patch) const;
+  void add_curvature(const ContactPoint& point, const Gap& gap, double force, bool skin_moves, Patch& patch) const;
   void scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const;
   void add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const;
 
   Layout layout_;
   SkinSurface skin_;
-  std::vector<TrianglePoint> rule_;      ///< finer where the garment is coarse against the skin
-  std::vector<Eigen::Matrix<double, 6, 1>> shape_;  ///< values at the rule's points
+  int order_, fallback_parts_, skin_nodes_;
   GapBasis basis_;
   double stiffness_;
   double reach_;                         ///< m, points farther from the skin face none

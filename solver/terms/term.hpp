@@ -47,6 +47,8 @@ class Term {
   virtual double step_bound(const State&, const Eigen::VectorXd& direction, double limit) const { return limit; }
   /// Looks at a new iterate (search, active set) before assembly. Returns true when `entries` changed.
   virtual bool update(const State&) { return false; }
+  /// Renews what stands still while Newton's method iterates (the quadrature of contact), before an increment.
+  virtual void renew(const State&) {}
   virtual void measure(const State&, Measure&) const {}
 };
 
