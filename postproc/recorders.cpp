@@ -50,6 +50,9 @@ void nodes(const Record& record, const Path& file) {
 void locations(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_locations(out, record.evaluation); });
 }
+void skin(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_skin(out, record.run.body); });
+}
 void comfort(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_comfort(out, record.evaluation); });
 }
@@ -85,6 +88,7 @@ const std::vector<Recorder>& recorders() {
       {garment_grid, has_garment, garment_vtu}, {"garment.pvd", has_garment, garment_pvd},
       {"nodes.lis", has_body, nodes},           {"displacement.lis", has_displacement, displacements},
       {"stress.lis", has_stress, stresses},     {"locations.csv", has_locations, locations},
+      {"skin.csv", has_body, skin},
       {"comfort.json", has_comfort, comfort},   {"history.csv", always, history},
       {"summary.json", always, summary},
   };

@@ -32,6 +32,19 @@ void write_locations(std::ostream& out, const Evaluation& evaluation) {
   }
 }
 
+void write_skin(std::ostream& out, const BodyResult& body) {
+  std::vector<char> skin(body.nodes.size(), 0);
+  for (const auto& facet : body.skin_facets)
+    for (const int node : facet) skin[node] = 1;
+  out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m],pressure [Pa],coverage\n";
+  for (std::size_t n = 0; n < body.nodes.size(); ++n) {
+    if (!skin[n]) continue;
+    const Eigen::Vector3d &x = body.nodes[n], &u = body.displacement[n];
+    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}\n", n + 1, x.x(), x.y(), x.z(), u.x(),
+               u.y(), u.z(), body.contact_pressure[n], body.coverage[n]);
+  }
+}
+
 void write_history(std::ostream& out, const RunResult& run) {
   out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,seconds,event\n";
   for (const Iteration& row : run.history)

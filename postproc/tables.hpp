@@ -33,6 +33,8 @@ std::string ansys_number(double value);
 void write_listing(std::ostream& out, const Listing& listing);
 
 void write_locations(std::ostream& out, const Evaluation& evaluation);  ///< locations.csv: Pa, gf/cm2, mmHg
+/// skin.csv: a row a node of the skin with its reference position, displacement, pressure and coverage.
+void write_skin(std::ostream& out, const BodyResult& body);
 void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration
 
 /// `text` in quotes where a comma, quote or line end in it asks for them.

@@ -145,6 +145,7 @@ struct BodySpec {
   std::vector<LayerSpec> layers;
   std::vector<LocationSpec> locations;
   int cells_around = 24, cells_along = 12;
+  std::string facets = "curved";  ///< curved | flat
   std::string ends = "sliding";  ///< cut planes: sliding (no axial displacement) | free | fixed
   Location where;
 
@@ -165,6 +166,11 @@ struct BodySpec {
           self.cells_around);
     field(Field{.key = "cells_along", .meaning = "hexahedra along the body", .bound = between(1, 720)},
           self.cells_along);
+    field(Field{.key = "facets",
+                .meaning = "curved: the cells follow the body; flat: straight edges between corners, to see what "
+                           "curved ones bring",
+                .choices = {"curved", "flat"}},
+          self.facets);
     field(Field{.key = "ends",
                 .meaning = "cut planes: sliding (no displacement along the axis), free or fixed",
                 .choices = {"sliding", "free", "fixed"}},

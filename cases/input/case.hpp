@@ -10,6 +10,7 @@
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/garment_spec.hpp"
 #include "cases/input/material_reference.hpp"
+#include "cases/input/study_spec.hpp"
 
 namespace snug::input {
 
@@ -72,6 +73,7 @@ struct Case {
   std::optional<ComfortSpec> comfort;
   std::optional<LoadSpec> load;
   SolverSpec solver;
+  std::optional<StudySpec> study;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -82,6 +84,7 @@ struct Case {
     field(Field{.key = "comfort", .meaning = "sensation by location and overall comfort"}, self.comfort);
     field(Field{.key = "load", .meaning = "loads without a garment"}, self.load);
     field(Field{.key = "solver", .meaning = "how much of the body is solved"}, self.solver);
+    field(Field{.key = "study", .meaning = "what snug study compares: meshes, variants, exact answer"}, self.study);
   }
 };
 

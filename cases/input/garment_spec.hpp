@@ -54,6 +54,7 @@ struct GarmentSpec {
   std::string warp = "along";  ///< along | around the body's axis
   double position = 0.0;       ///< m; height of the lower edge as placed
   double cell_size = 0.0;      ///< m; 0 = half the skin's mean cell size
+  int order = 2;               ///< of the triangles
   std::vector<HeldEdge> held;
   Location where;
 
@@ -73,6 +74,10 @@ struct GarmentSpec {
                 .meaning = "edge length of the triangles; 0 m: half the mean cell size of the skin",
                 .bound = non_negative()},
           self.cell_size);
+    field(Field{.key = "order",
+                .meaning = "2: quadratic triangles; 1: linear ones, to see what quadratic ones bring",
+                .bound = between(1, 2)},
+          self.order);
     field(Field{.key = "held", .meaning = "edges that the wearer or a band holds"}, self.held);
   }
 };

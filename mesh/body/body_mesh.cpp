@@ -106,6 +106,22 @@ void check_cells(const BodyMesh& mesh, const Limb& limb, const input::Location& 
   }
 }
 
+/// Every cell becomes the trilinear image of its corners: node (i, j, k) is the mean of the corners on its edge or face.
+void straighten(BodyMesh& mesh) {
+  const std::vector<Eigen::Vector3d> curved = mesh.nodes;
+  for (const auto& cell : mesh.cells)
+    for (int n = 0; n < 27; ++n) {
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (int corner = 0; corner < 8; ++corner) {
+        int from = 0;  // a coordinate in the middle takes either end, one at an end stays
+        for (int axis = 0, stride = 1, rest = n; axis < 3; ++axis, stride *= 3, rest /= 3)
+          from += stride * (rest % 3 == 1 ? 2 * ((corner >> axis) & 1) : rest % 3);
+        sum += curved[cell[from]];
+      }
+      mesh.nodes[cell[n]] = sum / 8.0;
+    }
+}
+
 }  // namespace
 
 BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
@@ -124,6 +140,7 @@ BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
     const double z = limb.lower + (limb.upper - limb.lower) * (0.5 * key.j / grid.along);
     mesh.nodes.push_back(layering.point(limb, turn, z, key.k));
   }
+  if (spec.facets == "flat") straighten(mesh);
   check_cells(mesh, limb, spec.where);
   collect_surfaces(lattice, grid, mesh);
   mesh.mean_skin_cell = mean_facet_edge(mesh);

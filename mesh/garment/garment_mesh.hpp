@@ -22,8 +22,7 @@ struct GarmentMesh {
   std::map<std::string, std::vector<int>>
       edges;               ///< named edges ("upper", "lower"): representative nodes, mid-edge nodes too
   double mean_edge = 0.0;  ///< m, in the pattern
-  /// 2: quadratic triangles. 1: linear triangles, for verification only: mid-edge nodes carry no unknowns and follow
-  /// their edge.
+  /// 2: quadratic triangles. 1: linear triangles, for comparison: mid-edge nodes carry no unknowns and follow their edge.
   int order = 2;
 };
 

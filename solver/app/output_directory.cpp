@@ -17,7 +17,8 @@ bool may_be_replaced(const fs::path& target) {
   if (!fs::exists(target)) return true;
   if (!fs::is_directory(target)) return false;
   if (fs::exists(target / "case.toml")) return false;
-  if (fs::exists(target / "summary.json") || fs::exists(target / "body.vtu")) return true;
+  if (fs::exists(target / "summary.json") || fs::exists(target / "body.vtu") || fs::exists(target / "study.csv"))
+    return true;
   for (const auto& entry : fs::directory_iterator(target))
     if (entry.path().filename() != "mesh") return false;
   return true;

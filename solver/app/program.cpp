@@ -17,6 +17,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_check());
   commands.push_back(make_mesh());
   commands.push_back(make_score());
+  commands.push_back(make_study());
   commands.push_back(make_materials());
   commands.push_back(make_new());
   commands.push_back(make_explain());

@@ -61,7 +61,7 @@ void list_garment(const input::Case& description, const Meshes& meshes, Plan& pl
     return;
   }
   plan.parts_in.push_back(
-      fmt::format("garment: {}, tension-field membrane, {} P2 triangles", fabric.name, meshes.garment.triangles.size()));
+      fmt::format("garment: {}, tension-field membrane, {} P{} triangles", fabric.name, meshes.garment.triangles.size(), meshes.garment.order));
   if (description.contact)
     plan.parts_in.push_back("contact: frictionless, weighted gaps, " + description.contact->basis + " multipliers");
   else

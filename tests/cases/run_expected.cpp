@@ -8,60 +8,21 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "cases/input/reader.hpp"
+#include "cases/input/expected.hpp"
 
 namespace snug {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// One entry of expected.toml: a number with its tolerance, or a text.
-struct Expected {
-  std::string quantity, text, source;
-  std::optional<double> value, relative, absolute;
-  input::Location where;
+using input::Expected;
 
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor&& field) {
-    using namespace input;
-    field(Field{.key = "quantity",
-                .meaning = "dotted key of summary.json; rows of locations by their name, components by 0, 1, 2",
-                .required = true},
-          self.quantity);
-    field(Field{.key = "value", .meaning = "number expected, in the unit of the key"}, self.value);
-    field(Field{.key = "text", .meaning = "text expected, instead of a number"}, self.text);
-    field(Field{.key = "relative", .meaning = "tolerance over |value|", .bound = positive()}, self.relative);
-    field(Field{.key = "absolute", .meaning = "tolerance in the unit of the key", .bound = positive()}, self.absolute);
-    field(Field{.key = "source", .meaning = "exact, paper, or own run with its date", .required = true}, self.source);
-  }
-  double tolerance() const { return relative ? *relative * std::abs(*value) : *absolute; }
-};
-
-struct ExpectedFile {
-  std::vector<Expected> expected;
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor&& field) {
-    field(input::Field{.key = "expected", .meaning = "what the case must give", .required = true}, self.expected);
-  }
-};
-
-std::vector<Expected> read_expected(const fs::path& file) {
-  input::Diagnostics diagnostics;
-  const input::Table table = input::parse_file(file, diagnostics);
-  ExpectedFile result = input::read<ExpectedFile>(table, diagnostics);
-  for (const Expected& entry : result.expected) {
-    const bool number = entry.value && (entry.relative || entry.absolute) && entry.text.empty();
-    const bool text = !entry.value && !entry.text.empty();
-    if (!number && !text)
-      diagnostics.error(entry.where, "neither a number with a tolerance nor a text", "give one of them");
-  }
-  diagnostics.throw_if_any();
-  return result.expected;
+double tolerance(const Expected& expected) {
+  return expected.relative ? *expected.relative * std::abs(*expected.value) : *expected.absolute;
 }
 
 /// The entry of an object by its key, of an array by the `location` or `name` of its rows or by its place, from 0.
@@ -92,7 +53,7 @@ void compare(const Expected& expected, const nlohmann::json& summary) {
     return;
   }
   ASSERT_TRUE(found->is_number()) << found->dump();
-  EXPECT_NEAR(found->get<double>(), *expected.value, expected.tolerance());
+  EXPECT_NEAR(found->get<double>(), *expected.value, tolerance(expected));
 }
 
 std::vector<std::string> cases_with_expectations() {
@@ -119,7 +80,7 @@ TEST_P(ShippedCase, GivesWhatItExpects) {
   ASSERT_EQ(std::system(command.c_str()), 0);
   std::ifstream file(out_ / "summary.json");
   const nlohmann::json summary = nlohmann::json::parse(file);
-  for (const Expected& expected : read_expected(directory / "expected.toml")) compare(expected, summary);
+  for (const Expected& expected : input::read_expected(directory / "expected.toml")) compare(expected, summary);
 }
 
 std::string test_name(const testing::TestParamInfo<std::string>& info) {

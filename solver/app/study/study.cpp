@@ -1,0 +1,160 @@
+// snug study DIR: error against run time over meshes, elements and tiers.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "solver/app/command.hpp"
+#include "solver/app/output_directory.hpp"
+#include "solver/app/prepared_case.hpp"
+#include "solver/app/print_plan.hpp"
+#include "solver/app/study/child_process.hpp"
+#include "solver/app/study/ladder.hpp"
+#include "solver/app/study/measure.hpp"
+#include "solver/app/study/study_files.hpp"
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+template <class... Args>
+void say(fmt::format_string<Args...> text, Args&&... args) {
+  fmt::print(text, std::forward<Args>(args)...);
+  std::fflush(stdout);
+}
+
+class Study : public Command {
+ public:
+  std::string name() const override { return "study"; }
+  std::string summary() const override { return "error against run time over meshes, elements and tiers"; }
+
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", directory_, "case directory")->required();
+    options_.declare(app);
+    app.add_option("--factors", factors_, "cells per length over those of the case: --factors 0.5,1,2")->delimiter(',');
+    app.add_option("--levels", levels_, "how many meshes of the ladder, from the coarsest on");
+    app.add_option("--vary", vary_, "a series for each value: --vary solver.tier=L1,L4; may be repeated")
+        ->type_name("KEY=A,B")
+        ->allow_extra_args(false);
+    app.add_option("--against", against_, "exact: the answer under [study]; reference: expected.toml; finest: the "
+                                          "finest run (left out: exact where there is one)")
+        ->check(CLI::IsMember({"exact", "reference", "finest"}));
+    app.add_option("--beside", beside_, "rows measured elsewhere, in the columns of study.csv, for table and plot")
+        ->type_name("FILE.csv");
+    app.add_option("--limit", limit_, "seconds; a series ends before a run expected to take longer");
+    app.add_option("--out", out_, "where the results go (study/ in the case directory)")->type_name("DIR");
+  }
+
+  int execute() override {
+    const input::Case description = options_.read(directory_);
+    const auto ladder = ladder_of(description), series = series_of(description);
+    Yardstick yardstick = yardstick_of(description, against_);
+    const std::vector<StudyRow> beside = beside_.empty() ? std::vector<StudyRow>{} : read_study_csv(beside_);
+    OutputDirectory out(out_.empty() ? fs::path(directory_) / "study" : fs::path(out_));
+    const fs::path work = out.aside();
+    std::vector<StudyRow> rows;
+    for (const auto& one : series) walk(one, ladder, work, rows);
+    if (rows.empty())
+      throw input::InputError({"--limit", 0, 0}, "every run is expected to take longer", "give more seconds");
+    compare(rows, yardstick, zone_of(description));
+    rows.insert(rows.end(), beside.begin(), beside.end());
+    write(rows, description, yardstick, work);
+    out.commit();
+    say("files in {}: study.md, study.csv, study.gp\n", out.target().string());
+    return std::any_of(rows.begin(), rows.end(), [](const StudyRow& r) { return r.converged(); }) ? done : not_converged;
+  }
+
+ private:
+  std::vector<input::StudyVariant> ladder_of(const input::Case& description) const {
+    for (const double factor : factors_)
+      if (!(factor > 0.0))
+        throw input::InputError({"--factors", 0, 0}, fmt::format("{:g} is no factor", factor), "write positive numbers");
+    std::vector<input::StudyVariant> ladder;
+    if (factors_.empty() && description.study && !description.study->levels.empty())
+      ladder = description.study->levels;
+    else
+      for (const double factor : factors_.empty() ? std::vector<double>{0.5, 0.71, 1.0, 1.41, 2.0} : factors_)
+        ladder.push_back(scaled(description, factor));
+    if (levels_ < 0 || levels_ > static_cast<int>(ladder.size()))
+      throw input::InputError({"--levels", 0, 0}, fmt::format("the ladder has {} meshes", ladder.size()),
+                              fmt::format("write a number from 1 to {}, or more --factors", ladder.size()));
+    if (levels_ > 0) ladder.resize(static_cast<std::size_t>(levels_));
+    return ladder;
+  }
+
+  std::vector<input::StudyVariant> series_of(const input::Case& description) const {
+    if (!vary_.empty()) return varied(vary_);
+    if (description.study && !description.study->series.empty()) return description.study->series;
+    return default_series(description);
+  }
+
+  static postproc::Zone zone_of(const input::Case& description) {
+    postproc::Zone zone;
+    if (!description.study || !description.study->zone) return zone;
+    zone.from = description.study->zone->from_height.value_or(zone.from);
+    zone.to = description.study->zone->to_height.value_or(zone.to);
+    return zone;
+  }
+
+  /// Runs one series up the ladder until a run would take too long.
+  void walk(const input::StudyVariant& series, const std::vector<input::StudyVariant>& ladder, const fs::path& work,
+            std::vector<StudyRow>& rows) {
+    std::vector<TimedRun> earlier;
+    for (const input::StudyVariant& level : ladder) {
+      CaseOptions options = options_;
+      options.overrides.insert(options.overrides.end(), series.set.begin(), series.set.end());
+      options.overrides.insert(options.overrides.end(), level.set.begin(), level.set.end());
+      const PreparedCase prepared = prepare(directory_, options);
+      const solver::Plan plan = solver::plan(prepared.description, prepared.meshes);
+      long unknowns = 1;  // tier L0 has none
+      for (const auto& [part, count] : plan.unknowns) unknowns += count;
+      const double expected = earlier.empty() ? plan.seconds : expected_seconds(earlier, unknowns);
+      const std::string what = fmt::format("{}, {}: {} unknowns, about {} expected", series.name, level.name, unknowns - 1,
+                                           duration_text(expected));
+      if (expected > limit_) {
+        notes_.push_back(fmt::format("not run: {}, more than --limit {:g}", what, limit_));
+        return say("{}\n", notes_.back());
+      }
+      say("{}\n", what);
+      rows.push_back(measure(directory_, options, work));
+      StudyRow& row = rows.back();
+      row.series = series.name, row.level = level.name;
+      row.settings = fmt::format("{}", fmt::join(options.overrides, " "));
+      earlier.push_back({unknowns, row.wall});
+      say("  {}: {:.2f} s, {:.2f} s of processor, {}, mean pressure {:.6g} Pa\n", row.status, row.wall,
+          row.user + row.system, memory_text(row.memory), row.mean_pressure);
+    }
+  }
+
+  void write(const std::vector<StudyRow>& rows, const input::Case& description, const Yardstick& yardstick,
+             const fs::path& folder) const {
+    StudyHead head{description.title, fmt::format("snug study {}", directory_),
+                   fmt::format("the {} answer ({})", yardstick.kind, yardstick.source), notes_};
+    if (yardstick.kind == "finest") head.against = yardstick.source;
+    write_study_csv(rows, folder / "study.csv");
+    write_study_table(rows, head, folder / "study.md");
+    write_study_plot(rows, description.title, folder / "study.gp");
+    const ChildOutcome drawn = run_child({"gnuplot", "study.gp"}, folder);
+    if (drawn.status == 127)
+      fmt::print(stderr, "snug study: warning: gnuplot is not there, so that study.svg is not drawn; scripts/setup "
+                         "installs it (gnuplot-nox), then run gnuplot study.gp beside the tables\n");
+    else if (drawn.status != 0)
+      fmt::print(stderr, "snug study: warning: gnuplot failed on study.gp: {}\n", drawn.output);
+  }
+
+  std::string directory_, against_, beside_, out_;
+  CaseOptions options_;
+  std::vector<double> factors_;
+  std::vector<std::string> vary_, notes_;
+  int levels_ = 0;
+  double limit_ = 300.0;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_study() { return std::make_unique<Study>(); }
+
+}  // namespace snug::app
