@@ -47,8 +47,7 @@ MapError relative(const Squares& pressure, double pressure_scale, const Squares&
 /// Indices of the nodes nearest to a position, nearest first.
 std::vector<std::size_t> nearest(const SkinMap& map, const Eigen::Vector3d& position) {
   std::vector<std::pair<double, std::size_t>> distances;
-  for (std::size_t n = 0; n < map.nodes.size(); ++n)
-    distances.emplace_back((map.nodes[n] - position).squaredNorm(), n);
+  for (std::size_t n = 0; n < map.nodes.size(); ++n) distances.emplace_back((map.nodes[n] - position).squaredNorm(), n);
   const auto middle = distances.begin() + neighbours;
   std::partial_sort(distances.begin(), middle, distances.end());
   std::vector<std::size_t> nodes;

@@ -32,3 +32,15 @@ compiler_jobs() {
   ((memory < 1)) && memory=1
   echo "${SNUG_JOBS:-$((cores < memory ? cores : memory))}"
 }
+
+# source_state: commit of the source, for reports.
+source_state() {
+  printf 'commit %s' "$(git -C "$root" log -1 --format='%h')"
+  git -C "$root" diff --quiet HEAD || printf ' with changes not committed'
+}
+
+# machine_state: processor, cores and load, for reports.
+machine_state() {
+  printf '%s, %s cores, load average %s at the end' \
+    "$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | head -n 1)" "$(nproc)" "$(cut -d' ' -f1 /proc/loadavg)"
+}

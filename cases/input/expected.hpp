@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/input/field.hpp"
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/field.hpp"
 
 namespace snug::input {
 

@@ -8,8 +8,8 @@
 
 namespace snug::tests {
 
-/// W = mu/2 (J^(-2/3) I1 - 3) + U(J); logarithmic: U = kappa/4 (J^2 - 1 - 2 ln J), quadratic: U = kappa/2 (J - 1)^2.
-enum class Volumetric { logarithmic, quadratic };
+/// W = mu/2 (J^(-2/3) I1 - 3) + U(J); barrier: U = kappa/4 (J^2 - 1 - 2 ln J), quadratic: U = kappa/2 (J - 1)^2.
+enum class Volumetric { barrier, quadratic };
 
 struct RadialLayer {
   double inner = 0.0, outer = 0.0;  ///< m

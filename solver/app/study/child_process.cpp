@@ -12,7 +12,9 @@ namespace snug::app {
 
 namespace {
 
-double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 [[noreturn]] void become(char* const* words, const char* directory, int output) {
   dup2(output, STDOUT_FILENO);
@@ -24,7 +26,8 @@ double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 
 std::string read_all(int from) {
   std::string text;
   std::array<char, 4096> block;
-  for (ssize_t n; (n = read(from, block.data(), block.size())) > 0;) text.append(block.data(), static_cast<std::size_t>(n));
+  for (ssize_t n; (n = read(from, block.data(), block.size())) > 0;)
+    text.append(block.data(), static_cast<std::size_t>(n));
   return text;
 }
 

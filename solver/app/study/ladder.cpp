@@ -41,8 +41,7 @@ std::vector<input::StudyVariant> default_series(const input::Case& description) 
   std::vector<input::StudyVariant> series = {{"the case", {}}};
   if (!description.contact) return series;
   if (description.solver.tier == "L4") series.push_back({"tier L1", {"solver.tier=L1"}});
-  if (description.solver.tier != "L0")
-    series.push_back({"straight elements", {"body.facets=flat", "garment.order=1"}});
+  if (description.solver.tier != "L0") series.push_back({"straight elements", {"body.facets=flat", "garment.order=1"}});
   return series;
 }
 

@@ -32,10 +32,14 @@ void read_summary(const fs::path& file, StudyRow& row) {
 }
 
 std::vector<std::string> command_line(const fs::path& directory, const CaseOptions& options, const fs::path& out) {
-  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(), "run", fs::absolute(directory).string(),
-                                    "--quiet", "--out", fs::absolute(out).string()};
-  for (const std::string& set : options.overrides) words.insert(words.end(), {"--set", set});
-  if (!options.tier.empty()) words.insert(words.end(), {"--tier", options.tier});
+  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(),
+                                    "run",
+                                    fs::absolute(directory).string(),
+                                    "--quiet",
+                                    "--out",
+                                    fs::absolute(out).string()};
+  for (const std::string& set : options.overrides) words.push_back("--set"), words.push_back(set);
+  if (!options.tier.empty()) words.push_back("--tier=" + options.tier);
   if (options.allow_outside) words.push_back("--allow-outside");
   return words;
 }
@@ -67,7 +71,7 @@ Yardstick reference(const input::Case& description) {
   Yardstick yardstick{"reference", {}};
   for (const input::Expected& entry : input::read_expected(file)) {
     if (!entry.value) continue;
-    double* target = entry.quantity == "numbers.mean_contact_pressure_Pa"         ? &yardstick.pressure
+    double* target = entry.quantity == "numbers.mean_contact_pressure_Pa"          ? &yardstick.pressure
                      : entry.quantity == "numbers.mean_skin_radial_displacement_m" ? &yardstick.displacement
                                                                                    : nullptr;
     if (!target) continue;

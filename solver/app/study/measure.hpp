@@ -17,8 +17,8 @@ StudyRow measure(const std::filesystem::path& directory, const CaseOptions& opti
 
 /// What the runs are measured against.
 struct Yardstick {
-  std::string kind;    ///< exact | reference | finest
-  std::string source;  ///< for the reader
+  std::string kind;                                       ///< exact | reference | finest
+  std::string source;                                     ///< for the reader
   double pressure = not_known, displacement = not_known;  ///< exact and reference: Pa, m
 };
 

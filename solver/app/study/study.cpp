@@ -39,8 +39,9 @@ class Study : public Command {
     app.add_option("--vary", vary_, "a series for each value: --vary solver.tier=L1,L4; may be repeated")
         ->type_name("KEY=A,B")
         ->allow_extra_args(false);
-    app.add_option("--against", against_, "exact: the answer under [study]; reference: expected.toml; finest: the "
-                                          "finest run (left out: exact where there is one)")
+    app.add_option("--against", against_,
+                   "exact: the answer under [study]; reference: expected.toml; finest: the "
+                   "finest run (left out: exact where there is one)")
         ->check(CLI::IsMember({"exact", "reference", "finest"}));
     app.add_option("--beside", beside_, "rows measured elsewhere, in the columns of study.csv, for table and plot")
         ->type_name("FILE.csv");
@@ -64,14 +65,16 @@ class Study : public Command {
     write(rows, description, yardstick, work);
     out.commit();
     say("files in {}: study.md, study.csv, study.gp\n", out.target().string());
-    return std::any_of(rows.begin(), rows.end(), [](const StudyRow& r) { return r.converged(); }) ? done : not_converged;
+    return std::any_of(rows.begin(), rows.end(), [](const StudyRow& r) { return r.converged(); }) ? done
+                                                                                                  : not_converged;
   }
 
  private:
   std::vector<input::StudyVariant> ladder_of(const input::Case& description) const {
     for (const double factor : factors_)
       if (!(factor > 0.0))
-        throw input::InputError({"--factors", 0, 0}, fmt::format("{:g} is no factor", factor), "write positive numbers");
+        throw input::InputError({"--factors", 0, 0}, fmt::format("{:g} is no factor", factor),
+                                "write positive numbers");
     std::vector<input::StudyVariant> ladder;
     if (factors_.empty() && description.study && !description.study->levels.empty())
       ladder = description.study->levels;
@@ -112,8 +115,8 @@ class Study : public Command {
       long unknowns = 1;  // tier L0 has none
       for (const auto& [part, count] : plan.unknowns) unknowns += count;
       const double expected = earlier.empty() ? plan.seconds : expected_seconds(earlier, unknowns);
-      const std::string what = fmt::format("{}, {}: {} unknowns, about {} expected", series.name, level.name, unknowns - 1,
-                                           duration_text(expected));
+      const std::string what = fmt::format("{}, {}: {} unknowns, about {} expected", series.name, level.name,
+                                           unknowns - 1, duration_text(expected));
       if (expected > limit_) {
         notes_.push_back(fmt::format("not run: {}, more than --limit {:g}", what, limit_));
         return say("{}\n", notes_.back());
@@ -139,8 +142,9 @@ class Study : public Command {
     write_study_plot(rows, description.title, folder / "study.gp");
     const ChildOutcome drawn = run_child({"gnuplot", "study.gp"}, folder);
     if (drawn.status == 127)
-      fmt::print(stderr, "snug study: warning: gnuplot is not there, so that study.svg is not drawn; scripts/setup "
-                         "installs it (gnuplot-nox), then run gnuplot study.gp beside the tables\n");
+      fmt::print(stderr,
+                 "snug study: warning: gnuplot is not there, so that study.svg is not drawn; scripts/setup "
+                 "installs it (gnuplot-nox), then run gnuplot study.gp beside the tables\n");
     else if (drawn.status != 0)
       fmt::print(stderr, "snug study: warning: gnuplot failed on study.gp: {}\n", drawn.output);
   }

@@ -141,8 +141,11 @@ double rest(const StudyRow& row) {
 }
 
 void write_runs(const std::vector<StudyRow>& rows, std::ofstream& out) {
-  out << "| series | level | unknowns | Newton iterations | wall s | CPU s | memory MB | mean pressure | pressure rms | "
-         "mean displacement | displacement rms |\n| --- | --- |" << " ---: |" << " ---: | ---: | ---: | ---: | ---: | ---: | "
+  out << "| series | level | unknowns | Newton iterations | wall s | CPU s | memory MB | mean pressure | pressure rms "
+         "| "
+         "mean displacement | displacement rms |\n| --- | --- |"
+      << " ---: |"
+      << " ---: | ---: | ---: | ---: | ---: | ---: | "
          "---: | ---: |\n";
   for (const StudyRow& row : rows) {
     const std::string broken = row.status == "partial" || row.status == "failed" ? " (" + row.status + ")" : "";
@@ -164,7 +167,8 @@ void write_orders(const std::vector<StudyRow>& rows, std::ofstream& out) {
   for (const std::string& name : series_of(rows)) {
     const std::vector<const StudyRow*> all = rows_of(rows, name);
     if (all.size() < 2 || std::isnan(all.front()->skin_nodes)) continue;
-    for (std::size_t n = 1; n < all.size(); ++n) line(name, all[n - 1]->level + " to " + all[n]->level, {all[n - 1], all[n]});
+    for (std::size_t n = 1; n < all.size(); ++n)
+      line(name, all[n - 1]->level + " to " + all[n]->level, {all[n - 1], all[n]});
     if (all.size() > 2) line(name, "all, least squares", all);
   }
 }
@@ -188,11 +192,15 @@ void write_phases(const std::vector<StudyRow>& rows, std::ofstream& out) {
 
 void write_study_table(const std::vector<StudyRow>& rows, const StudyHead& head, const fs::path& file) {
   std::ofstream out(file);
-  fmt::print(out, "# Error against run time: {}\n\nWritten by `{}` on {}, on {}, {} cores, load average {} at the end.\n",
+  fmt::print(out,
+             "# Error against run time: {}\n\nWritten by `{}` on {}, on {}, {} cores, load average {} at the end.\n",
              head.title, head.command, date(), processor(), std::thread::hardware_concurrency(), load_average());
-  fmt::print(out, "Each run is a process of its own, from its start to its end with all files written.\n\n"
-             "Errors are relative to {}. *mean pressure*: contact force over covered area; *rms*: over the skin's nodes "
-             "in the zone.\n\n![Error against time, memory and unknowns](study.svg)\n\n## Runs\n\n", head.against);
+  fmt::print(
+      out,
+      "Each run is a process of its own, from its start to its end with all files written.\n\n"
+      "Errors are relative to {}. *mean pressure*: contact force over covered area; *rms*: over the skin's nodes "
+      "in the zone.\n\n![Error against time, memory and unknowns](study.svg)\n\n## Runs\n\n",
+      head.against);
   write_runs(rows, out);
   for (const std::string& note : head.notes) out << "\n- " << note << '\n';
   out << "\n## Observed orders\n\nSlope of log error over log h; h is the number of skin nodes to the power -1/2.\n\n";

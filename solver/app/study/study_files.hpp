@@ -11,8 +11,8 @@ namespace snug::app {
 
 /// What stands above the table.
 struct StudyHead {
-  std::string title, command;    ///< of the case; as typed
-  std::string against;           ///< "the exact answer (source)"
+  std::string title, command;      ///< of the case; as typed
+  std::string against;             ///< "the exact answer (source)"
   std::vector<std::string> notes;  ///< runs that were not made, and why
 };
 

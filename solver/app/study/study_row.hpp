@@ -15,7 +15,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// Relative errors; NaN where they are not known.
 struct StudyErrors {
-  double mean_pressure = not_known;  ///< of the force over the covered area, the whole garment
+  double mean_pressure = not_known;                           ///< of the force over the covered area, the whole garment
   double pressure_rms = not_known, pressure_max = not_known;  ///< of the nodes in the zone
   double mean_displacement = not_known;                       ///< of the skin's mean radial displacement
   double displacement_rms = not_known;                        ///< of the nodes in the zone
@@ -23,9 +23,9 @@ struct StudyErrors {
 
 struct StudyRow {
   std::string series, level, settings;
-  std::string status;              ///< as in summary.json
+  std::string status;  ///< as in summary.json
   double unknowns = not_known;
-  double skin_nodes = not_known;   ///< their number to the power -1/2 stands for the cell size h
+  double skin_nodes = not_known;  ///< their number to the power -1/2 stands for the cell size h
   double increments = not_known, iterations = not_known;
   double wall = not_known, user = not_known, system = not_known;  ///< s, of the whole process
   double memory = not_known;                                      ///< bytes, peak of the process
