@@ -141,6 +141,7 @@ class Study : public Command {
     write_study_table(rows, head, folder / "study.md");
     write_study_plot(rows, description.title, folder / "study.gp");
     const ChildOutcome drawn = run_child({"gnuplot", "study.gp"}, folder);
+    if (drawn.status != 0) fs::remove(folder / "study.svg");  // no half a picture
     if (drawn.status == 127)
       fmt::print(stderr,
                  "snug study: warning: gnuplot is not there, so that study.svg is not drawn; scripts/setup "

@@ -57,6 +57,12 @@ double seconds_of(const StudyRow& row, const std::string& phase) {
   return not_known;
 }
 
+/// A name as it stands in study.csv: gnuplot does not read commas inside quotes.
+std::string plain(std::string name) {
+  std::replace(name.begin(), name.end(), ',', ';');
+  return name;
+}
+
 void close(std::ofstream& out, const fs::path& file) {
   out.close();
   if (!out) throw std::runtime_error("cannot write " + file.string());
@@ -72,7 +78,7 @@ void write_study_csv(const std::vector<StudyRow>& rows, const fs::path& file) {
   for (const std::string& name : phases) out << ',' << postproc::csv_cell(name + "_s");
   out << ",settings\n";
   for (const StudyRow& row : rows) {
-    out << postproc::csv_cell(row.series) << ',' << postproc::csv_cell(row.level) << ',' << row.status;
+    out << plain(row.series) << ',' << postproc::csv_cell(row.level) << ',' << row.status;
     visit_numbers(row, [&](const char*, double value, double unit) { out << ',' << cell(value / unit); });
     for (const std::string& name : phases) out << ',' << cell(seconds_of(row, name));
     out << ',' << postproc::csv_cell(row.settings) << '\n';
@@ -225,7 +231,7 @@ void write_study_plot(const std::vector<StudyRow>& rows, const std::string& titl
     std::replace(text.begin(), text.end(), '"', '\'');
     return '"' + text + '"';
   };
-  for (std::size_t n = 0; n < series.size(); ++n) fmt::print(out, "series[{}] = {}\n", n + 1, quoted(series[n]));
+  for (std::size_t n = 0; n < series.size(); ++n) fmt::print(out, "series[{}] = {}\n", n + 1, quoted(plain(series[n])));
   const auto known = [&](Error e) {
     return std::any_of(rows.begin(), rows.end(), [&](const StudyRow& row) { return std::abs(row.errors.*e) > 0.0; });
   };
@@ -239,7 +245,7 @@ void write_study_plot(const std::vector<StudyRow>& rows, const std::string& titl
          "  set ylabel y[1:strlen(y)-6] . ' error' noenhanced\n"
          "  do for [x in 'wall_s memory_MB unknowns'] {\n"
          "    set xlabel x noenhanced\n"
-         "    plot for [n=1:|series|] 'study.csv' using (strcol('series') eq series[n] ? column(x) : NaN):"
+         "    plot for [n=1:|series|] 'study.csv' using (strcol(1) eq series[n] ? column(x) : NaN):"
          "(positive(column(y))) with linespoints linewidth 2 pointtype 6+n title series[n]\n"
          "    unset key\n"
          "  }\n"

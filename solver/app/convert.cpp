@@ -1,0 +1,76 @@
+// snug convert DIR FILE.inp: the body of a case under its load as CalculiX input.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+
+#include "materials/laws/solid_law.hpp"
+#include "mesh/formats/calculix.hpp"
+#include "solver/app/command.hpp"
+#include "solver/app/prepared_case.hpp"
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+mesh::NeoHookeConstants constants_of(const mesh::Layer& layer) {
+  const materials::Tissue tissue = materials::find_tissue(layer.material);
+  const auto* law = std::get_if<materials::NeoHooke>(&tissue.law);
+  if (!law || law->volume.form != materials::VolumetricForm::quadratic)
+    throw input::InputError(layer.material.where,
+                            fmt::format("the law of \"{}\" is not that of CalculiX's NEO HOOKE", layer.name),
+                            "write law = \"neo-Hooke\" with volumetric = \"quadratic\"");
+  return {law->shear_modulus, law->volume.bulk_modulus};
+}
+
+void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& body) {
+  const input::Location where{(description.directory / "case.toml").string(), 0, 0};
+  if (description.garment)
+    throw input::InputError(where, "the garment cannot be written as CalculiX input",
+                            "convert a case without [garment], [contact] and [comfort]");
+  if (!body.membranes.empty())
+    throw input::InputError(where, "the skin is a membrane, which cannot be written as CalculiX input",
+                            "give the skin form = \"solid\"");
+  if (description.body->ends != "sliding")
+    throw input::InputError(where, "the ends are " + description.body->ends, "only ends = \"sliding\" can be written");
+}
+
+class Convert : public Command {
+ public:
+  std::string name() const override { return "convert"; }
+  std::string summary() const override { return "write the body of a case under its load as CalculiX input"; }
+
+  void declare(CLI::App& app) override {
+    app.add_option("DIR", directory_, "case directory")->required();
+    app.add_option("FILE", file_, "where the input goes, FILE.inp")->required();
+    options_.declare(app);
+  }
+
+  int execute() override {
+    const PreparedCase prepared = prepare(directory_, options_);
+    const mesh::BodyMesh& body = prepared.meshes.body;
+    refuse_what_is_lost(prepared.description, body);
+    std::vector<mesh::NeoHookeConstants> materials;
+    for (const mesh::Layer& layer : body.layers) materials.push_back(constants_of(layer));
+    const fs::path aside = file_ + ".part";
+    std::ofstream out(aside);
+    write_calculix(out, body, materials, prepared.description.load ? prepared.description.load->skin_pressure : 0.0);
+    out.close();
+    if (!out)
+      throw input::InputError({file_, 0, 0}, "the file cannot be written", "name a place that can be written to");
+    fs::rename(aside, file_);
+    return done;
+  }
+
+ private:
+  std::string directory_, file_;
+  CaseOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_convert() { return std::make_unique<Convert>(); }
+
+}  // namespace snug::app
