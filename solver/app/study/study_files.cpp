@@ -239,14 +239,14 @@ void write_study_plot(const std::vector<StudyRow>& rows, const std::string& titl
   if (known(&StudyErrors::pressure_rms)) drawn += "pressure_rms_error ";
   if (known(&StudyErrors::mean_pressure)) drawn += "mean_pressure_error";
   fmt::print(out, "drawn = '{}'\nset multiplot layout words(drawn),3 title {} noenhanced\n", drawn, quoted(title));
-  out << "set key noenhanced bottom left\n"
+  out << "set key noenhanced top right font ',10'\n"
          "positive(x) = abs(x) > 0 ? abs(x) : NaN\n"
-         "do for [y in drawn] {\n"
-         "  set ylabel y[1:strlen(y)-6] . ' error' noenhanced\n"
-         "  do for [x in 'wall_s memory_MB unknowns'] {\n"
-         "    set xlabel x noenhanced\n"
-         "    plot for [n=1:|series|] 'study.csv' using (strcol(1) eq series[n] ? column(x) : NaN):"
-         "(positive(column(y))) with linespoints linewidth 2 pointtype 6+n title series[n]\n"
+         "do for [error in drawn] {\n"
+         "  set ylabel error[1:strlen(error)-6] . ' error' noenhanced\n"
+         "  do for [cost in 'wall_s memory_MB unknowns'] {\n"
+         "    set xlabel cost noenhanced\n"
+         "    plot for [n=1:|series|] 'study.csv' using (strcol(1) eq series[n] ? column(cost) : NaN):"
+         "(positive(column(error))) with linespoints linewidth 2 pointtype 6+n title series[n]\n"
          "    unset key\n"
          "  }\n"
          "}\n"
