@@ -31,6 +31,15 @@ Tissue find_tissue(const input::MaterialReference& reference) {
   return {.name = entry.name, .law = *law, .shear_range = range.shear_modulus, .source = entry.provenance.text()};
 }
 
+Tissue find_membrane_tissue(const input::MaterialReference& reference) {
+  Tissue tissue = find_tissue(reference);
+  if (!is_split(tissue.law))
+    throw input::InputError(reference.where, "a layer with thickness is a membrane, and the law of " + tissue.name +
+                                                 " is no incompressible one",
+                            "use neo-Hooke, Mooney-Rivlin, Ogden or Fung, or make it a layer of cells");
+  return tissue;
+}
+
 std::vector<std::string> tissue_names() { return entry_names(shipped_tissues); }
 
 }  // namespace snug::materials

@@ -104,6 +104,8 @@ struct Tissue {
 /// Looks the reference up in the shipped data (materials/data/tissues.toml) or reads its inline table.
 /// Throws input::InputError with the nearest known name.
 Tissue find_tissue(const input::MaterialReference& reference);
+/// The same for a layer that is a membrane, which has to be incompressible: a law without split is an error.
+Tissue find_membrane_tissue(const input::MaterialReference& reference);
 std::vector<std::string> tissue_names();
 
 }  // namespace snug::materials

@@ -75,12 +75,13 @@ class Explain : public Command {
   std::string summary() const override { return "what a key of case.toml or of a law means"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("KEY", key_, "e.g. garment.position, thickness, or a section such as garment")->required();
+    app.add_option("KEY", key_, "e.g. garment.position, thickness, a section such as garment, or a law such as law.Ogden")->required();
   }
 
   int execute() override {
-    std::string text, keys;
-    std::vector<std::string> known;
+    std::string text = law_page_text(key_), keys;
+    std::vector<std::string> known = law_names();
+    if (!text.empty() && key_.starts_with("law.")) key_.erase(0, 4);
     for (const input::ReferenceRow& row : whole_reference()) {
       known.push_back(last_part(row.key));
       if (matches(row.key, key_)) text += explanation(row);
@@ -113,6 +114,7 @@ class List : public Command {
 
   int execute() override {
     print_rows("keys of case.toml", input::case_reference());
+    fmt::print("\nlaws of solids (snug explain law.NAME)\n  {}\n", input::joined(law_names()));
     print_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_reference());
     fmt::print("\nshipped materials\n{}", materials_text());
     fmt::print("\nsensation curves\n\"wear trial 2002\", or a CSV file of the case\n");

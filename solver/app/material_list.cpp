@@ -55,4 +55,17 @@ std::vector<input::ReferenceRow> law_reference() {
   return rows;
 }
 
+std::vector<std::string> law_names() { return materials::solid_law_names(); }
+
+std::string law_page_text(const std::string& name) {
+  std::string text;
+  materials::for_each_law_input([&]<class Input>() {
+    const materials::LawPage page = Input::page();
+    if (name == page.name || name == "law." + page.name)
+      text = fmt::format("law = \"{}\"\n  formula   {}\n  use       {}\n  source    {}\n", page.name, page.formula, page.use,
+                         page.source);
+  });
+  return text;
+}
+
 }  // namespace snug::app

@@ -1,8 +1,11 @@
-// snug materials list, snug materials show NAME
+// snug materials list, snug materials show NAME, snug materials curve NAME
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 
+#include "cases/input/suggestion.hpp"
+#include "materials/laws/one_point.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/material_list.hpp"
 
@@ -10,26 +13,83 @@ namespace snug::app {
 
 namespace {
 
+using materials::Loading;
+
+const std::map<std::string, Loading>& loadings() {
+  static const std::map<std::string, Loading> all = {{"uniaxial", Loading::uniaxial},
+                                                     {"equibiaxial", Loading::equibiaxial},
+                                                     {"planar", Loading::planar},
+                                                     {"shear", Loading::shear},
+                                                     {"confined", Loading::confined}};
+  return all;
+}
+
+/// What the curve of one tissue runs over.
+struct Curve {
+  std::string mode = "uniaxial";
+  double from = 0.7, to = 1.5;
+  int steps = 16;
+};
+
+input::InputError wrong(const std::string& found, const std::string& remedy) {
+  return {{"snug materials curve", 0, 0}, found, remedy};
+}
+
+/// CSV of one-point states, one row a stretch (in shear: amount of shear).
+void print_curve(const std::string& name, const Curve& curve) {
+  const Loading loading = loadings().at(curve.mode);
+  if (loading != Loading::shear && !(curve.from > 0.0 && curve.to > 0.0))
+    throw wrong(fmt::format("a stretch from {} to {}", curve.from, curve.to), "stretches are greater than 0; 1 is the rest");
+  input::MaterialReference reference;
+  reference.name = name;
+  reference.where = {"snug materials curve", 0, 0};
+  const materials::Tissue tissue = materials::find_tissue(reference);
+  fmt::print("{},nominal stress [Pa],Cauchy stress [Pa],J,lateral stretch\n",
+             loading == Loading::shear ? "shear" : "stretch");
+  for (int i = 0; i <= curve.steps; ++i) {
+    const double stretch = curve.from + (curve.to - curve.from) * i / curve.steps;
+    const auto state = materials::one_point(tissue.law, loading, stretch);
+    if (!state) throw wrong(fmt::format("{} has no stable state at stretch {:.6g}", name, stretch), "stay between the stretches printed");
+    fmt::print("{:.10g},{:.10g},{:.10g},{:.12g},{:.12g}\n", stretch, state->nominal_stress, state->cauchy_stress, state->J,
+               state->lateral);
+  }
+}
+
 class Materials : public Command {
  public:
   std::string name() const override { return "materials"; }
-  std::string summary() const override { return "the shipped fabrics and tissues: list, show NAME"; }
+  std::string summary() const override { return "the shipped fabrics and tissues: list, show NAME, curve NAME"; }
 
   void declare(CLI::App& app) override {
     app.require_subcommand(1);
     app.add_subcommand("list", "the names of all entries");
     show_ = app.add_subcommand("show", "values and source of one entry");
     show_->add_option("NAME", entry_, "fabric or tissue")->required();
+    curve_ = app.add_subcommand("curve", "stress over stretch of a tissue as CSV: one point, no mesh");
+    curve_->add_option("NAME", entry_, "tissue")->required();
+    std::vector<std::string> modes;
+    for (const auto& [mode, loading] : loadings()) modes.push_back(mode);
+    curve_->add_option("--mode", options_.mode, input::joined(modes) + "; what is not driven is free, or held where the mode says so")
+        ->check(CLI::IsMember(modes))
+        ->capture_default_str();
+    curve_->add_option("--from", options_.from, "first stretch (shear: amount of shear)")->capture_default_str();
+    curve_->add_option("--to", options_.to, "last one")->capture_default_str();
+    curve_->add_option("--steps", options_.steps, "number of steps")->check(CLI::PositiveNumber)->capture_default_str();
   }
 
   int execute() override {
+    if (curve_->parsed()) {
+      print_curve(entry_, options_);
+      return done;
+    }
     fmt::print("{}", show_->parsed() ? material_text(entry_) : materials_text());
     return done;
   }
 
  private:
-  CLI::App* show_ = nullptr;  // owned by the program's parser
+  CLI::App *show_ = nullptr, *curve_ = nullptr;  // owned by the program's parser
   std::string entry_;
+  Curve options_;
 };
 
 }  // namespace

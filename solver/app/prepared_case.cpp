@@ -40,7 +40,10 @@ void check_materials(const input::Case& description) {
   Collector collect;
   if (description.body)
     for (const input::LayerSpec& layer : description.body->layers)
-      if (layer.form != "rigid") collect([&] { materials::find_tissue(layer.material); });
+      if (layer.form == "membrane")
+        collect([&] { materials::find_membrane_tissue(layer.material); });
+      else if (layer.form != "rigid")
+        collect([&] { materials::find_tissue(layer.material); });
   if (description.garment) collect([&] { materials::find_fabric(description.garment->fabric); });
   if (description.comfort) collect([&] { postproc::load_curves(*description.comfort, description.directory); });
   collect.throw_if_any();

@@ -153,13 +153,17 @@ double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMes
 
 void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene& scene) {
   std::vector<materials::SolidLaw> laws;
-  for (const auto& layer : body.layers) laws.push_back(materials::find_tissue(layer.material).law);
-  scene.add(std::make_unique<Tissue>(scene.layout(), body, std::move(laws)));
-  for (const auto& membrane : body.membranes) {
-    const double shear = materials::initial_shear_modulus(materials::find_tissue(membrane.material).law);
-    scene.add(std::make_unique<SkinMembraneTerm>(scene.layout(), body,
-                                                 materials::SkinMembrane{shear, membrane.thickness}));
+  for (const auto& layer : body.layers) {
+    laws.push_back(materials::find_tissue(layer.material).law);
+    if (!materials::is_split(laws.back()))
+      throw input::InputError(layer.material.where, "the law of layer " + layer.name + " has no split",
+                              "the mixed element needs one: neo-Hooke, Mooney-Rivlin, Ogden or Fung; bone may be \"rigid\"");
   }
+  scene.add(std::make_unique<Tissue>(scene.layout(), body, std::move(laws)));
+  for (const auto& membrane : body.membranes)
+    scene.add(std::make_unique<SkinMembraneTerm>(
+        scene.layout(), body,
+        materials::SkinMembrane{materials::find_membrane_tissue(membrane.material).law, membrane.thickness}));
   if (description.load && description.load->skin_pressure != 0.0)
     scene.add(std::make_unique<SkinPressureLoad>(scene.layout(), body, description.load->skin_pressure));
 }

@@ -103,7 +103,16 @@ TEST_F(Program, ReferenceExplainsEveryKey) {
   EXPECT_NE(unknown.text.find("position"), std::string::npos) << unknown.text;
   EXPECT_EQ(snug("list").status, 0);
   EXPECT_EQ(snug("materials list").status, 0);
+  const Outcome law = snug("explain law.Ogden");
+  for (const std::string part : {"sum mu_p/alpha_p", "Proc. R. Soc.", "Ogden.terms[].alpha"})
+    EXPECT_NE(law.text.find(part), std::string::npos) << law.text;
   EXPECT_NE(snug("materials show N85L15").text.find("kes"), std::string::npos);
+  const Outcome curve = snug("materials curve skin --mode equibiaxial --from 1 --to 1.5 --steps 2");
+  EXPECT_EQ(curve.status, 0) << curve.text;
+  EXPECT_NE(curve.text.find("stretch,nominal stress [Pa],Cauchy stress [Pa],J,lateral stretch\n1,0,0,1,1\n"), std::string::npos)
+      << curve.text;
+  EXPECT_EQ(snug("materials curve skin --mode twist").status, 2);
+  EXPECT_EQ(snug("materials curve skin --from -1").status, 2);
   EXPECT_EQ(snug("materials show N85").status, 2);
 }
 
