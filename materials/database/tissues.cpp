@@ -34,9 +34,10 @@ Tissue find_tissue(const input::MaterialReference& reference) {
 Tissue find_membrane_tissue(const input::MaterialReference& reference) {
   Tissue tissue = find_tissue(reference);
   if (!is_split(tissue.law))
-    throw input::InputError(reference.where, "a layer with thickness is a membrane, and the law of " + tissue.name +
-                                                 " is no incompressible one",
-                            "use neo-Hooke, Mooney-Rivlin, Ogden or Fung, or make it a layer of cells");
+    throw input::InputError(
+        reference.where,
+        "a layer with thickness is a membrane, and the law of " + tissue.name + " is no incompressible one",
+        "use neo-Hooke, Mooney-Rivlin, Ogden or Fung, or make it a layer of cells");
   return tissue;
 }
 

@@ -1,6 +1,6 @@
 // Fung: W = mu/(2 b) (exp(b (J^(-2/3) I1 - 3)) - 1) + U(J): soft at first, then stiffening exponentially as skin and
-// vessels do. b -> 0 is neo-Hooke. Isotropic form of Demiray, J. Biomech. 5 (1972) 309-311, of the exponential energy of
-// Fung, Am. J. Physiol. 213 (1967) 1532-1544.
+// vessels do. b -> 0 is neo-Hooke. Isotropic form of Demiray, J. Biomech. 5 (1972) 309-311, of the exponential energy
+// of Fung, Am. J. Physiol. 213 (1967) 1532-1544.
 #pragma once
 
 #include <cmath>

@@ -18,7 +18,8 @@ void check(const Compressibility& c, double mu, const input::Table& table, input
   if (c.poisson_ratio.has_value() == c.bulk_modulus.has_value())
     return diagnostics.error(
         table.where,
-        c.poisson_ratio ? "both poisson_ratio and bulk_modulus are given" : "neither poisson_ratio nor bulk_modulus is given",
+        c.poisson_ratio ? "both poisson_ratio and bulk_modulus are given"
+                        : "neither poisson_ratio nor bulk_modulus is given",
         "write one of them, for instance poisson_ratio = 0.49; the other follows from the shear modulus");
   if (c.bulk_modulus && *c.bulk_modulus < 2.0 / 3.0 * mu)
     diagnostics.error(table.where_is("bulk_modulus"),
@@ -41,7 +42,8 @@ void check(const FungInput& form, const input::Table& table, input::Diagnostics&
 void check(const MooneyRivlinInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
   const double mu = 2.0 * (form.C10 + form.C01);
   if (!(mu > 0.0))
-    return diagnostics.error(table.where, "C10 and C01 are both 0", "give one of them; the shear modulus is 2 (C10 + C01)");
+    return diagnostics.error(table.where, "C10 and C01 are both 0",
+                             "give one of them; the shear modulus is 2 (C10 + C01)");
   check(form.volume.compressibility, mu, table, diagnostics);
 }
 void check(const OgdenInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
@@ -56,8 +58,9 @@ void check(const OgdenInput& form, const input::Table& table, input::Diagnostics
     mu += 0.5 * form.terms[p].mu * form.terms[p].alpha;
   }
   if (!(mu > 0.0))
-    return diagnostics.error(where, fmt::format("the terms make the shear modulus {:.6g} Pa at rest", mu),
-                             "half the sum of mu alpha must be greater than 0: a term with negative alpha has a negative mu");
+    return diagnostics.error(
+        where, fmt::format("the terms make the shear modulus {:.6g} Pa at rest", mu),
+        "half the sum of mu alpha must be greater than 0: a term with negative alpha has a negative mu");
   check(form.volume.compressibility, mu, table, diagnostics);
 }
 void check(const CompressibleNeoHookeInput& form, const input::Table& table, input::Diagnostics& diagnostics) {

@@ -171,12 +171,10 @@ struct LinearElasticInput {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "youngs_modulus",
-                .unit = "Pa",
-                .meaning = "Young's modulus",
-                .required = true,
-                .bound = positive()},
-          self.youngs_modulus);
+    field(
+        Field{
+            .key = "youngs_modulus", .unit = "Pa", .meaning = "Young's modulus", .required = true, .bound = positive()},
+        self.youngs_modulus);
     field(Field{.key = "poisson_ratio",
                 .meaning = "Poisson ratio",
                 .required = true,

@@ -1,6 +1,7 @@
-// Ogden: W = sum_p mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3) + U(J), l_a = J^(-1/3) lambda_a the isochoric
-// principal stretches; mu = sum_p mu_p alpha_p / 2. Fits rubber over its whole range and tissues in compression.
-// Source: Ogden, Proc. R. Soc. A 326 (1972) 565-584. (Abaqus and FEBio write mu_p with other factors: see the reference.)
+// Ogden: W = sum_p mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3) + U(J), l_a = J^(-1/3) lambda_a the
+// isochoric principal stretches; mu = sum_p mu_p alpha_p / 2. Fits rubber over its whole range and tissues in
+// compression. Source: Ogden, Proc. R. Soc. A 326 (1972) 565-584. (Abaqus and FEBio write mu_p with other factors: see
+// the reference.)
 #pragma once
 
 #include <Eigen/Eigenvalues>

@@ -18,7 +18,7 @@ enum class Loading { uniaxial, equibiaxial, planar, shear, confined };
 struct PointState {
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();
   double J = 1.0;
-  double lateral = 1.0;    ///< stretch of the third direction
+  double lateral = 1.0;  ///< stretch of the third direction
   Eigen::Matrix3d first_piola = Eigen::Matrix3d::Zero(), cauchy = Eigen::Matrix3d::Zero();  ///< Pa
   /// The component that drives the test: 11, in shear 12. Pa.
   double nominal_stress = 0.0, cauchy_stress = 0.0;

@@ -7,25 +7,29 @@ LawPage NeoHookeInput::page() {
   return {.name = "neo-Hooke",
           .formula = "W = mu/2 (J^(-2/3) I1 - 3) + U(J)",
           .use = "soft tissue of which one modulus is known; strains up to about 50 %",
-          .source = "Treloar, Trans. Faraday Soc. 39 (1943) 36-41; split: Simo & Miehe, Comput. Methods Appl. Mech. "
-                    "Engrg. 98 (1992) 41-104"};
+          .source =
+              "Treloar, Trans. Faraday Soc. 39 (1943) 36-41; split: Simo & Miehe, Comput. Methods Appl. Mech. "
+              "Engrg. 98 (1992) 41-104"};
 }
 
 LawPage MooneyRivlinInput::page() {
   return {.name = "Mooney-Rivlin",
           .formula = "W = C10 (J^(-2/3) I1 - 3) + C01 (J^(-4/3) I2 - 3) + U(J), shear modulus 2 (C10 + C01)",
-          .use = "sets published in this form; with C01 = 0 it is neo-Hooke. Sets with a negative coefficient lose their "
-                 "stability at a finite stretch and are not taken: fit Ogden instead",
+          .use =
+              "sets published in this form; with C01 = 0 it is neo-Hooke. Sets with a negative coefficient lose their "
+              "stability at a finite stretch and are not taken: fit Ogden instead",
           .source = "Mooney, J. Appl. Phys. 11 (1940) 582-592; Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379-397"};
 }
 
 LawPage OgdenInput::page() {
   return {.name = "Ogden",
-          .formula = "W = sum mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3) + U(J), l_a = J^(-1/3) lambda_a, "
-                     "shear modulus sum mu_p alpha_p/2. Sets written as 2 mu_p/alpha_p^2 (Abaqus) or c_p/m_p^2 (FEBio): "
-                     "multiply by 2/alpha_p or 1/m_p",
-          .use = "tissue that stiffens in compression or stretch (fat, passive muscle, skin), from a fit over the strains "
-                 "that occur; slower than neo-Hooke",
+          .formula =
+              "W = sum mu_p/alpha_p (l1^alpha_p + l2^alpha_p + l3^alpha_p - 3) + U(J), l_a = J^(-1/3) lambda_a, "
+              "shear modulus sum mu_p alpha_p/2. Sets written as 2 mu_p/alpha_p^2 (Abaqus) or c_p/m_p^2 (FEBio): "
+              "multiply by 2/alpha_p or 1/m_p",
+          .use =
+              "tissue that stiffens in compression or stretch (fat, passive muscle, skin), from a fit over the strains "
+              "that occur; slower than neo-Hooke",
           .source = "Ogden, Proc. R. Soc. A 326 (1972) 565-584"};
 }
 

@@ -5,9 +5,9 @@
 
 namespace snug::materials {
 
-/// An energy at one deformation gradient F: the isochoric part of a law or the whole of it. First Piola stress P = dW/dF;
-/// tangent A = d2W/dF2 with row and column index 3 i + J of the component F_iJ (row-major), major-symmetric. Units Pa
-/// (energy J/m3 of the reference).
+/// An energy at one deformation gradient F: the isochoric part of a law or the whole of it. First Piola stress P =
+/// dW/dF; tangent A = d2W/dF2 with row and column index 3 i + J of the component F_iJ (row-major), major-symmetric.
+/// Units Pa (energy J/m3 of the reference).
 struct SolidResponse {
   double energy = 0.0;
   Eigen::Matrix3d stress;

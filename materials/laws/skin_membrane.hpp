@@ -54,7 +54,7 @@ inline MembraneResponse SkinMembrane::at(const Eigen::Vector3d& metric) const {
 
   const double b11 = c22 / det, b22 = c11 / det, b12 = -c12 / det, s = S(2, 2) * c33;
   const Eigen::Vector3d b(b11, b22, b12);
-  Eigen::Matrix3d BMB;  // M_m:(B M_n B)
+  Eigen::Matrix3d BMB;                     // M_m:(B M_n B)
   BMB << b11 * b11, b12 * b12, b11 * b12,  //
       b12 * b12, b22 * b22, b22 * b12,     //
       b11 * b12, b22 * b12, 0.5 * (b11 * b22 + b12 * b12);

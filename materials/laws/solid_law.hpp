@@ -21,8 +21,8 @@
 
 namespace snug::materials {
 
-/// Every law of a solid, visibly. Adding one is a file, this line, its input (laws/inputs.hpp) and the line in the typed
-/// test list.
+/// Every law of a solid, visibly. Adding one is a file, this line, its input (laws/inputs.hpp) and the line in the
+/// typed test list.
 using SolidLaw = std::variant<NeoHooke, MooneyRivlin, Ogden, Fung, CompressibleNeoHooke, LinearElastic>;
 
 /// A law made of an isochoric and a volumetric part.

@@ -62,8 +62,8 @@ std::string law_page_text(const std::string& name) {
   materials::for_each_law_input([&]<class Input>() {
     const materials::LawPage page = Input::page();
     if (name == page.name || name == "law." + page.name)
-      text = fmt::format("law = \"{}\"\n  formula   {}\n  use       {}\n  source    {}\n", page.name, page.formula, page.use,
-                         page.source);
+      text = fmt::format("law = \"{}\"\n  formula   {}\n  use       {}\n  source    {}\n", page.name, page.formula,
+                         page.use, page.source);
   });
   return text;
 }

@@ -20,7 +20,8 @@ std::vector<input::ReferenceRow> law_reference();
 /// Names of the laws of solids.
 std::vector<std::string> law_names();
 
-/// The page of the law called `name`, "Ogden" or "law.Ogden": formula, when to use it, source. Empty when there is none.
+/// The page of the law called `name`, "Ogden" or "law.Ogden": formula, when to use it, source. Empty when there is
+/// none.
 std::string law_page_text(const std::string& name);
 
 }  // namespace snug::app

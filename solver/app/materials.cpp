@@ -39,7 +39,8 @@ input::InputError wrong(const std::string& found, const std::string& remedy) {
 void print_curve(const std::string& name, const Curve& curve) {
   const Loading loading = loadings().at(curve.mode);
   if (loading != Loading::shear && !(curve.from > 0.0 && curve.to > 0.0))
-    throw wrong(fmt::format("a stretch from {} to {}", curve.from, curve.to), "stretches are greater than 0; 1 is the rest");
+    throw wrong(fmt::format("a stretch from {} to {}", curve.from, curve.to),
+                "stretches are greater than 0; 1 is the rest");
   input::MaterialReference reference;
   reference.name = name;
   reference.where = {"snug materials curve", 0, 0};
@@ -49,9 +50,11 @@ void print_curve(const std::string& name, const Curve& curve) {
   for (int i = 0; i <= curve.steps; ++i) {
     const double stretch = curve.from + (curve.to - curve.from) * i / curve.steps;
     const auto state = materials::one_point(tissue.law, loading, stretch);
-    if (!state) throw wrong(fmt::format("{} has no stable state at stretch {:.6g}", name, stretch), "stay between the stretches printed");
-    fmt::print("{:.10g},{:.10g},{:.10g},{:.12g},{:.12g}\n", stretch, state->nominal_stress, state->cauchy_stress, state->J,
-               state->lateral);
+    if (!state)
+      throw wrong(fmt::format("{} has no stable state at stretch {:.6g}", name, stretch),
+                  "stay between the stretches printed");
+    fmt::print("{:.10g},{:.10g},{:.10g},{:.12g},{:.12g}\n", stretch, state->nominal_stress, state->cauchy_stress,
+               state->J, state->lateral);
   }
 }
 
@@ -69,7 +72,9 @@ class Materials : public Command {
     curve_->add_option("NAME", entry_, "tissue")->required();
     std::vector<std::string> modes;
     for (const auto& [mode, loading] : loadings()) modes.push_back(mode);
-    curve_->add_option("--mode", options_.mode, input::joined(modes) + "; what is not driven is free, or held where the mode says so")
+    curve_
+        ->add_option("--mode", options_.mode,
+                     input::joined(modes) + "; what is not driven is free, or held where the mode says so")
         ->check(CLI::IsMember(modes))
         ->capture_default_str();
     curve_->add_option("--from", options_.from, "first stretch (shear: amount of shear)")->capture_default_str();

@@ -55,7 +55,8 @@ class Worst {
   Worst(std::string scene, double tolerance, std::string source)
       : scene_(std::move(scene)), tolerance_(tolerance), source_(std::move(source)) {}
   ~Worst() {
-    if (count_ > 0) book(fmt::format("{} ({} numbers)", scene_, count_), "worst: " + quantity_, ours_, exact_, tolerance_, source_);
+    if (count_ > 0)
+      book(fmt::format("{} ({} numbers)", scene_, count_), "worst: " + quantity_, ours_, exact_, tolerance_, source_);
   }
   void add(const std::string& quantity, double ours, double exact) {
     const double error = std::abs(exact != 0.0 ? ours / exact - 1.0 : ours);
@@ -74,7 +75,9 @@ class Worst {
 // ---- the book's laws, kPa
 
 VolumetricForm form(const std::string& letter) {
-  return letter == "V2" ? VolumetricForm::logarithmic : letter == "V3" ? VolumetricForm::quadratic : VolumetricForm::barrier;
+  return letter == "V2"   ? VolumetricForm::logarithmic
+         : letter == "V3" ? VolumetricForm::quadratic
+                          : VolumetricForm::barrier;
 }
 
 double bulk(double mu, double nu) { return 2.0 * mu * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu)); }
@@ -118,7 +121,9 @@ TEST(OnePoint, GeneralGradient) {
     postproc::Stress stress;
     stress << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
     const Eigen::Vector3d principal = postproc::principal_stresses(stress);
-    const auto add = [&](const std::string& key, double ours) { table.add(row["law"] + " " + key, ours, row.number(key)); };
+    const auto add = [&](const std::string& key, double ours) {
+      table.add(row["law"] + " " + key, ours, row.number(key));
+    };
     add("W", r.energy);
     add("s11", s(0, 0)), add("s22", s(1, 1)), add("s33", s(2, 2));
     add("s12", s(0, 1)), add("s23", s(1, 2)), add("s13", s(0, 2));
@@ -129,8 +134,8 @@ TEST(OnePoint, GeneralGradient) {
 }
 
 TEST(OnePoint, CompressibleStates) {
-  // Stretched to 1.5, the free side settles where its stress vanishes: three volumetric forms and the law without split,
-  // Poisson ratios from 0.3 to 0.49999.
+  // Stretched to 1.5, the free side settles where its stress vanishes: three volumetric forms and the law without
+  // split, Poisson ratios from 0.3 to 0.49999.
   Worst table("uniaxial, equibiaxial, planar to 1.5", 1e-9, "reference book 1.3");
   for (const Row& row : rows("one_point_compressible.csv")) {
     const auto state = one_point(neo_hooke(row["law"], row.number("poisson_ratio")), loading(row["test"]), 1.5);
@@ -148,7 +153,8 @@ TEST(OnePoint, HydrostaticPressure) {
   Worst table("hydrostatic pressure", 1e-10, "reference book 1.3");
   for (const Row& row : rows("one_point_hydrostatic.csv"))
     for (const std::string letter : {"V1", "V2", "V3"})
-      table.add(letter + " J " + row["J"], -Volumetric{form(letter), 1000.0}.at(row.number("J")).pressure, row.number(letter));
+      table.add(letter + " J " + row["J"], -Volumetric{form(letter), 1000.0}.at(row.number("J")).pressure,
+                row.number(letter));
 }
 
 TEST(OnePoint, Oedometer) {
@@ -183,8 +189,8 @@ TEST(OnePoint, IncompressibleLimit) {
   Worst table("incompressible closed forms by kappa = 1e7 mu", 1e-5, "reference book 1.2");
   for (const Row& row : rows("one_point_incompressible.csv")) {
     const double mu = initial_shear_modulus(incompressible(row["law"], 1.0));
-    table.add(row["law"] + " " + row["test"] + " " + row["amount"], quantity_of_row(incompressible(row["law"], 1e7 * mu), row),
-              row.number("value"));
+    table.add(row["law"] + " " + row["test"] + " " + row["amount"],
+              quantity_of_row(incompressible(row["law"], 1e7 * mu), row), row.number("value"));
   }
 }
 
@@ -199,8 +205,8 @@ TEST(OnePoint, IncompressibleMembrane) {
     const double other = test == Loading::uniaxial ? 1.0 / l : test == Loading::equibiaxial ? l * l : 1.0;
     const auto r = skin.at({l * l, other, 0.0});
     const double nominal = row["test"] == "P_planar_held" ? r.force[1] : l * r.force[0];
-    table.add(row["law"] + " " + row["test"] + " " + row["amount"], row["test"].starts_with("sigma") ? l * nominal : nominal,
-              row.number("value"));
+    table.add(row["law"] + " " + row["test"] + " " + row["amount"],
+              row["test"].starts_with("sigma") ? l * nominal : nominal, row.number("value"));
     if (test == Loading::uniaxial) {
       EXPECT_NEAR(r.force[1], 0.0, 1e-12 * std::abs(r.force[0])) << "free side";
     }

@@ -92,11 +92,13 @@ TEST(Data, EveryLawCanBeWrittenInline) {
   // Each law reads from a table; the pair of moduli may be the bulk modulus, and the volumetric form is taken.
   using namespace materials;
   const auto law = [](const std::string& text) { return find_tissue(inline_table(text)).law; };
-  const auto mooney = law(R"({ law = "Mooney-Rivlin", C10 = "4 kPa", C01 = "1 kPa", bulk_modulus = "500 kPa", volumetric = "quadratic" })");
+  const auto mooney = law(
+      R"({ law = "Mooney-Rivlin", C10 = "4 kPa", C01 = "1 kPa", bulk_modulus = "500 kPa", volumetric = "quadratic" })");
   EXPECT_NEAR(initial_shear_modulus(mooney), 10e3, 1e-9);
   EXPECT_NEAR(initial_bulk_modulus(mooney), 500e3, 1e-9);
   EXPECT_EQ(std::get<MooneyRivlin>(mooney).volume.form, VolumetricForm::quadratic);
-  const auto ogden = law(R"({ law = "Ogden", terms = [{ mu = "5 kPa", alpha = 3 }, { mu = "-2 kPa", alpha = -2.5 }], poisson_ratio = 0.49, volumetric = "logarithmic" })");
+  const auto ogden = law(
+      R"({ law = "Ogden", terms = [{ mu = "5 kPa", alpha = 3 }, { mu = "-2 kPa", alpha = -2.5 }], poisson_ratio = 0.49, volumetric = "logarithmic" })");
   EXPECT_NEAR(initial_shear_modulus(ogden), 10e3, 1e-9);
   EXPECT_EQ(std::get<Ogden>(ogden).volume.form, VolumetricForm::logarithmic);
   const auto fung = law(R"({ law = "Fung", shear_modulus = "10 kPa", stiffening = 3, poisson_ratio = 0.49 })");
@@ -105,7 +107,9 @@ TEST(Data, EveryLawCanBeWrittenInline) {
   const auto foam = law(R"({ law = "compressible-neo-Hooke", shear_modulus = "10 kPa", poisson_ratio = 0.3 })");
   EXPECT_NEAR(initial_youngs_modulus(foam), 26e3, 1e-8);
   EXPECT_NEAR(std::get<CompressibleNeoHooke>(foam).lame_parameter, 15e3, 1e-9);
-  EXPECT_NEAR(initial_shear_modulus(law(R"({ law = "linear-elastic", youngs_modulus = "26 kPa", poisson_ratio = 0.3 })")), 10e3, 1e-9);
+  EXPECT_NEAR(
+      initial_shear_modulus(law(R"({ law = "linear-elastic", youngs_modulus = "26 kPa", poisson_ratio = 0.3 })")), 10e3,
+      1e-9);
 }
 
 TEST(Data, WrongLawsSayWhatToWrite) {
@@ -114,20 +118,23 @@ TEST(Data, WrongLawsSayWhatToWrite) {
     std::string table, place, remedy;
   };
   const std::vector<Wrong> all = {
-      {R"({ law = "neo-Hooke", shear_modulus = "-1 kPa", poisson_ratio = 0.49 })", "7:48", "greater than 0 Pa"},
-      {R"({ law = "neo-Hooke", shear_modulus = "1 kPa", poisson_ratio = 0.5 })", "7:73", "less than 0.5"},
+      {R"({ law = "neo-Hooke", shear_modulus = "-1 kPa", poisson_ratio = 0.49 })", "7:49", "greater than 0 Pa"},
+      {R"({ law = "neo-Hooke", shear_modulus = "1 kPa", poisson_ratio = 0.5 })", "7:74", "less than 0.5"},
       {R"({ law = "neo-Hooke", shear_modulus = "1 kPa" })", "7:12", "write one of them"},
-      {R"({ law = "neo-Hooke", shear_modulus = "1 kPa", poisson_ratio = 0.4, bulk_modulus = "9 kPa" })", "7:12", "write one of them"},
-      {R"({ law = "neo-Hooke", shear_modulus = "9 kPa", bulk_modulus = "5 kPa" })", "7:57", "two thirds"},
+      {R"({ law = "neo-Hooke", shear_modulus = "1 kPa", poisson_ratio = 0.4, bulk_modulus = "9 kPa" })", "7:12",
+       "write one of them"},
+      {R"({ law = "neo-Hooke", shear_modulus = "9 kPa", bulk_modulus = "5 kPa" })", "7:58", "two thirds"},
       {R"({ law = "Ogdn", terms = [] })", "7:20", "Ogden"},
-      {R"({ law = "Ogden", terms = [], poisson_ratio = 0.49 })", "7:28", "at least one"},
-      {R"({ law = "Ogden", terms = [{ mu = "1 kPa", alpha = -2 }], poisson_ratio = 0.49 })", "7:28", "sum of mu alpha"},
+      {R"({ law = "Ogden", terms = [], poisson_ratio = 0.49 })", "7:29", "at least one"},
+      {R"({ law = "Ogden", terms = [{ mu = "1 kPa", alpha = -2 }], poisson_ratio = 0.49 })", "7:29", "sum of mu alpha"},
       {R"({ law = "Ogden", terms = [{ mu = "1 kPa", alpha = 0 }], poisson_ratio = 0.49 })", "7:", "leave it out"},
       {R"({ law = "Mooney-Rivlin", C10 = "1 kPa", C01 = "-1 kPa", poisson_ratio = 0.49 })", "7:", "at least 0 Pa"},
       {R"({ law = "Fung", shear_modulus = "1 kPa", stiffening = 0, poisson_ratio = 0.49 })", "7:", "greater than 0"},
-      {R"({ law = "neo-Hooke", shear_modulus = "1 kPa", poisson_ratio = 0.4, volumetric = "barier" })", "7:", "barrier"},
+      {R"({ law = "neo-Hooke", shear_modulus = "1 kPa", poisson_ratio = 0.4, volumetric = "barier" })",
+       "7:", "barrier"},
       {R"({ law = "linear-elastic", youngs_modulus = "1 GPa", poisson_ratio = 0.4999 })", "7:", "law with split"},
-      {R"({ law = "compressible-neo-Hooke", shear_modulus = "1 kPa", bulk_modulus = "1 MPa" })", "7:", "law with split"}};
+      {R"({ law = "compressible-neo-Hooke", shear_modulus = "1 kPa", bulk_modulus = "1 MPa" })",
+       "7:", "law with split"}};
   for (const Wrong& wrong : all) {
     const std::string error = error_of([&] { find_tissue(inline_table(wrong.table)); });
     EXPECT_NE(error.find("case.toml:" + wrong.place), std::string::npos) << wrong.table << "\n" << error;

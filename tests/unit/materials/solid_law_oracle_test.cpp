@@ -2,7 +2,7 @@
 // can be, differentiated twice by Sacado, against the hand-derived stress and tangent.
 #include <gtest/gtest.h>
 
-#include <Sacado.hpp>
+#include <Sacado_No_Kokkos.hpp>
 #include <array>
 
 #include "tests/unit/materials/laws_under_test.hpp"
@@ -29,7 +29,8 @@ Invariants invariants(const Tensor& F) {
   Second I1 = C[0][0] + C[1][1] + C[2][2], square = 0.0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) square += C[i][j] * C[i][j];
-  const Second J = F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) - F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
+  const Second J = F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) -
+                   F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
                    F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
   return {I1, 0.5 * (I1 * I1 - square), J};
 }
@@ -67,7 +68,8 @@ Second energy(const materials::LinearElastic& law, const Tensor& F) {
   const double E = law.youngs_modulus, nu = law.poisson_ratio;
   return 0.5 * E * nu / ((1 + nu) * (1 - 2 * nu)) * trace * trace + 0.5 * E / (1 + nu) * square;
 }
-// The eigenvalues of C are roots of c^3 - I1 c^2 + I2 c - J^2; Newton steps from the numbers give them their derivatives.
+// The eigenvalues of C are roots of c^3 - I1 c^2 + I2 c - J^2; Newton steps from the numbers give them their
+// derivatives.
 Second energy(const materials::Ogden& law, const Tensor& F) {
   const auto [I1, I2, J] = invariants(F);
   Eigen::Matrix3d C;
@@ -78,8 +80,7 @@ Second energy(const materials::Ogden& law, const Tensor& F) {
   Second W = barrier(law.volume, J);
   for (int a = 0; a < 3; ++a) {
     Second c = values[a];
-    for (int i = 0; i < 4; ++i)
-      c = c - (((c - I1) * c + I2) * c - J * J) / ((3.0 * c - 2.0 * I1) * c + I2);
+    for (int i = 0; i < 4; ++i) c = c - (((c - I1) * c + I2) * c - J * J) / ((3.0 * c - 2.0 * I1) * c + I2);
     for (const materials::OgdenTerm& term : law.terms)
       W += term.mu / term.alpha * (pow(c * pow(J, -2.0 / 3.0), 0.5 * term.alpha) - 1.0);
   }

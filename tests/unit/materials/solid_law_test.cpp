@@ -15,7 +15,8 @@ using materials::coupled, materials::SolidLaw, materials::Volumetric, materials:
 double largest(const MatrixXd& m) { return m.cwiseAbs().maxCoeff(); }
 
 std::vector<Matrix3d> gradients() {
-  return {reference_gradient(), large_gradient(), equal_stretches(0.7), equal_stretches(1.2), equal_stretches(1.2 + 1e-9)};
+  return {reference_gradient(), large_gradient(), equal_stretches(0.7), equal_stretches(1.2),
+          equal_stretches(1.2 + 1e-9)};
 }
 
 template <class Law>
@@ -46,7 +47,8 @@ TYPED_TEST(EveryLaw, TangentIsMajorSymmetric) {
 }
 
 TYPED_TEST(EveryLaw, DoesNotSeeRotation) {
-  // F -> Q F leaves the energy and turns the stress: sigma -> Q sigma Q^T, to 1e-13 of the moduli the stress is made of.
+  // F -> Q F leaves the energy and turns the stress: sigma -> Q sigma Q^T, to 1e-13 of the moduli the stress is made
+  // of.
   const SolidLaw law = example<TypeParam>();
   const Matrix3d Q = Eigen::AngleAxisd(1.234, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   for (const Matrix3d& F : gradients()) {
@@ -92,7 +94,8 @@ TYPED_TEST(EveryLaw, ResistsCollapse) {
   const SolidLaw law = example<TypeParam>();
   const auto squeezed = [&](double J) { return Matrix3d(std::cbrt(J) * Matrix3d::Identity()); };
   if (std::holds_alternative<materials::LinearElastic>(law)) {
-    EXPECT_NEAR(coupled(law, squeezed(1e-30)).energy, 9.0 / 8.0 * initial_bulk_modulus(law), 1e-9 * initial_bulk_modulus(law));
+    EXPECT_NEAR(coupled(law, squeezed(1e-30)).energy, 9.0 / 8.0 * initial_bulk_modulus(law),
+                1e-9 * initial_bulk_modulus(law));
     return;
   }
   EXPECT_GT(coupled(law, squeezed(1e-8)).energy, 1.9 * coupled(law, squeezed(1e-4)).energy);
@@ -112,7 +115,8 @@ TYPED_TEST(EverySplitLaw, IsochoricPartByRate) {
     expect_derivative_by_rate(stress, packed(F), r.tangent, 1e-2);
     EXPECT_LT(largest(r.tangent - r.tangent.transpose()), 1e-13 * largest(r.tangent));
     EXPECT_NEAR(law.isochoric(1.7 * F).energy, r.energy, 1e-13 * std::max(r.energy, law.initial_shear_modulus()));
-    EXPECT_NEAR((r.stress * F.transpose()).trace(), 0.0, 1e-13 * std::max(r.stress.norm(), law.initial_shear_modulus()));
+    EXPECT_NEAR((r.stress * F.transpose()).trace(), 0.0,
+                1e-13 * std::max(r.stress.norm(), law.initial_shear_modulus()));
   }
 }
 
