@@ -33,8 +33,8 @@ Homotopy tightening() {
   return [](State& state, double t) { state.load = t; };
 }
 
-Homotopy releasing() {
-  return [](State& state, double t) { state.stiffening = std::pow(1e3, 1.0 - t); };
+Homotopy releasing(double factor) {
+  return [=](State& state, double t) { state.stiffening = std::pow(factor, 1.0 - t); };
 }
 
 PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& path,

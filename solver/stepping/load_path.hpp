@@ -17,8 +17,8 @@ struct PathSettings {
 using Homotopy = std::function<void(State& state, double t)>;
 /// The garment tightens: s = t.
 Homotopy tightening();
-/// The body gives way under the tightened garment: its stiffness falls from 1000 times its own to its own.
-Homotopy releasing();
+/// The body gives way under the tightened garment: its stiffness falls from `factor` times its own to its own.
+Homotopy releasing(double factor);
 
 struct PathResult {
   State state;                  ///< the last converged one

@@ -43,6 +43,10 @@ LinearReport descent(Scene& scene, const State& state, const NewtonSettings& set
   return scene.solve(proximal, false, step);
 }
 
+// Globalisation: a step after which the residual is this many times larger is taken back and repeated with a stronger
+// proximal term (Levenberg's damping on the garment, whose slack parts have no stiffness of their own).
+constexpr double too_much_growth = 10.0, largest_boost = 1e6;
+
 struct Check {
   Measure measure;
   double residual, complementarity;
@@ -52,7 +56,7 @@ struct Check {
 Check check(const Scene& scene, const State& state, const NewtonSettings& settings) {
   Check c;
   c.measure = scene.measure(state);
-  const double force = c.measure.contact_force, pressure = c.measure.reference_pressure;
+  const double force = std::max(c.measure.contact_force, c.measure.smallest_force), pressure = c.measure.reference_pressure;
   const double residual = scene.force_residual();
   c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
@@ -84,6 +88,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   row.load = state.load;
   row.step = 1.0;
   Patience patience;
+  State last = state;
+  double before = std::numeric_limits<double>::max(), boost = 1.0;
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
     const Check now = check(scene, state, settings);
     row.iteration = iteration;
@@ -93,9 +99,19 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done) return Outcome::converged;
     if (patience.lost(now.residual)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
+    if (now.residual > too_much_growth * before && boost < largest_boost) {  // the step went too far: hold back and repeat
+      state = last;
+      scene.update(state);
+      if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
+      boost *= 30.0;
+    } else {
+      last = state;
+      before = now.residual;
+      boost = std::max(1.0, boost / 5.0);
+    }
     Eigen::VectorXd step;
-    const double proximal = settings.proximal * std::min(1.0, now.residual) + 1e-12;
-    const LinearReport report = descent(scene, state, settings, now.residual, proximal, step);
+    const double proximal = settings.proximal * boost * std::min(1.0, before) + 1e-12;
+    const LinearReport report = descent(scene, state, settings, before, proximal, step);
     if (!report.ok) return Outcome::linear_solver_failed;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/result.hpp"
@@ -15,6 +16,9 @@ namespace snug::solver {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Contact pressure over the softest (stiffened) shear modulus where a release step by step starts: small strains.
+constexpr double gentle_release = 0.3;
 
 /// One run: the parts of the flow share the clock, the observer and the result.
 class Run {
@@ -129,19 +133,19 @@ class Run {
     phase("results");
   }
 
+  /// The rigid skin carries any pressure; tissue gives way. Where it gives way little (pressure below its shear modulus) the
+  /// body is released under the tight garment at once. Where that fails, or is more than tissue can answer in one step,
+  /// its stiffness falls to its own from where its answer is small.
   void release_body(const Scene& rigid, const State& on_rigid) {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
     phase("set-up");
-    const PathSettings path = settings();
+    const double give = softest_shear_modulus() / rigid.measure(on_rigid).reference_pressure;
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
-    PathResult released{start, 1.0, false, 1, ""};
-    const IterationSink rows = sink("body");
-    const auto in_one_step = [&](postproc::Iteration row) {
-      row.increment = 1;
-      rows(row);
-    };
-    released.complete = newton(scene, released.state, path.newton, in_one_step) == Outcome::converged;
-    if (!released.complete) released = follow_path(scene, start, releasing(), path, sink("body, step by step"));
+    PathResult released{start, 0.0, false, 0, ""};
+    if (give > 1.0) released = release_at_once(scene, start);
+    if (!released.complete)
+      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(),
+                             sink("body, step by step"));
     accept(scene, released, "body");
     if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
@@ -151,6 +155,24 @@ class Run {
     }
     if (released.complete) name_sliding();
     phase("results");
+  }
+
+  PathResult release_at_once(Scene& scene, const State& start) {
+    PathResult released{start, 1.0, false, 1, ""};
+    const IterationSink rows = sink("body");
+    const auto in_one_step = [&](postproc::Iteration row) {
+      row.increment = 1;
+      rows(row);
+    };
+    released.complete = newton(scene, released.state, settings().newton, in_one_step) == Outcome::converged;
+    return released;
+  }
+
+  double softest_shear_modulus() const {
+    double softest = std::numeric_limits<double>::max();
+    for (const auto& layer : meshes_.body.layers)
+      softest = std::min(softest, materials::initial_shear_modulus(materials::find_tissue(layer.material).law));
+    return softest;
   }
 
   /// A garment that no edge holds was held at its probe edge: a force there means that it would slide off.

@@ -25,11 +25,8 @@ class FabricMembrane : public Term {
   const ElementEntries& entries() const override { return entries_; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
+  void measure(const State& state, Measure& measure) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
-
-  /// Residual compressive stiffness eta of the relaxed energy at load s: 1e-2 at the start, `final_eta` at s = 1.
-  double eta(double load) const;
-  void set_final_eta(double eta) { final_eta_ = eta; }
 
   /// Averages over a triangle: Cauchy forces per current length (N/m) along warp, weft and shear, stretches, state.
   struct Summary {
@@ -63,7 +60,6 @@ class FabricMembrane : public Term {
   int order_;                              ///< of the triangles
   std::vector<Element> elements_;
   ElementEntries entries_;
-  double final_eta_ = 1e-3;
 };
 
 }  // namespace snug::solver

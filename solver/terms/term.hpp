@@ -21,6 +21,7 @@ class Sink {
 /// What a term says of the state beside its residual (contact mostly). All SI.
 struct Measure {
   double contact_force = 0.0;      ///< N, sum of |point forces|
+  double smallest_force = 0.0;     ///< N, what the residual is measured against where nothing touches
   double complementarity = 0.0;    ///< Pa
   double penetration = 0.0;        ///< m
   double reference_pressure = 0.0; ///< Pa, mean over active nodes

@@ -21,6 +21,7 @@ struct TubeCase {
   int around = 16, along = 4, through = 2;
   double cell_size = 0.0;                                         ///< m, garment; 0: half the skin's
   std::string tier = "L4", basis = "hat";
+  double bone_ratio = 1.0, bone_offset = 0.0;                     ///< width over depth of the bone; m, along x
 };
 
 inline std::filesystem::path write_stations(const TubeCase& tube) {
@@ -28,9 +29,10 @@ inline std::filesystem::path write_stations(const TubeCase& tube) {
                     ("snug-tube-" + std::to_string(::getpid()) + "-" + std::to_string(tube.radius) + ".csv");
   std::ofstream out(path);
   out.precision(17);
-  out << "height [m], girth [m], bone_girth [m]\n";
+  out << "height [m], girth [m], bone_girth [m], bone_width_to_depth, bone_x [m]\n";
   for (const double z : {0.0, 0.5 * tube.length, tube.length})
-    out << z << ", " << 2.0 * std::numbers::pi * tube.radius << ", " << 2.0 * std::numbers::pi * tube.bone << "\n";
+    out << z << ", " << 2.0 * std::numbers::pi * tube.radius << ", " << 2.0 * std::numbers::pi * tube.bone << ", "
+        << tube.bone_ratio << ", " << tube.bone_offset << "\n";
   return path;
 }
 
