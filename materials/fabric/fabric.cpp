@@ -14,6 +14,14 @@ MembraneResponse Fabric::unrelaxed(const Eigen::Vector3d& strain) const {
   return r;
 }
 
-MembraneResponse Fabric::relaxed(const Eigen::Vector3d& strain) const { return relax(*this, strain, unrelaxed(strain)); }
+MembraneResponse Fabric::relaxed(const Eigen::Vector3d& strain, double eta) const {
+  const MembraneResponse plain = unrelaxed(strain);
+  MembraneResponse r = relax(*this, strain, plain);
+  if (r.state == MembraneResponse::State::taut) return r;
+  r.energy += eta * (plain.energy - r.energy);
+  r.force += eta * (plain.force - r.force);
+  r.tangent += eta * (plain.tangent - r.tangent);
+  return r;
+}
 
 }  // namespace snug::materials

@@ -61,10 +61,10 @@ struct Fabric {
   std::string source;          ///< how each number was turned into SI
 
   MembraneResponse unrelaxed(const Eigen::Vector3d& strain) const;
-  /// W_r(E) = min over A >= 0 of W(E + A) (relaxed energy, any convex W): the sheet may shorten by wrinkles at no cost.
-  /// Force continuous, tangent consistent and positive semidefinite. There is no residual stiffness: what wrinkled and
-  /// slack parts lack is lent by the proximal term of the stepping. Source: Pipkin, IMA J. Appl. Math. 36 (1986) 85-99.
-  MembraneResponse relaxed(const Eigen::Vector3d& strain) const;
+  /// W_used = (1 - eta) W_r + eta W; W_r(E) = min over A >= 0 of W(E + A) (relaxed energy, any convex W):
+  /// the sheet may shorten by wrinkles at no cost. Force continuous, tangent consistent and positive semidefinite.
+  /// `state` is that of W_r. Source: Pipkin, IMA J. Appl. Math. 36 (1986) 85-99.
+  MembraneResponse relaxed(const Eigen::Vector3d& strain, double eta) const;
 };
 
 /// Shipped fabric (materials/data/fabrics.toml) or inline table. Throws input::InputError with the nearest known name.

@@ -10,7 +10,7 @@ namespace {
 // Hoop and axial Cauchy tension (N/m) at hoop stretch l and axial stretch 1: N1 l and N2 / l.
 Eigen::Vector2d tensions(const materials::Fabric& fabric, bool warp_along, double stretch) {
   const double hoop = 0.5 * (stretch * stretch - 1.0);
-  const auto response = fabric.relaxed(warp_along ? Eigen::Vector3d(0.0, hoop, 0.0) : Eigen::Vector3d(hoop, 0.0, 0.0));
+  const auto response = fabric.relaxed(warp_along ? Eigen::Vector3d(0.0, hoop, 0.0) : Eigen::Vector3d(hoop, 0.0, 0.0), 0.0);
   const double around = response.force[warp_along ? 1 : 0], along = response.force[warp_along ? 0 : 1];
   return {around * stretch, along / stretch};
 }

@@ -6,9 +6,9 @@
 namespace snug::solver {
 
 struct PathSettings {
-  double first_step = 0.25;
+  double first_step = 1.0;      ///< the whole path; what fails is halved
   double intermediate_residual = 1e-3;
-  int failures = 6;             ///< halvings in a row before giving up
+  int failures = 8;             ///< halvings in a row before giving up
   double smallest_step = 2e-3;  ///< shorter steps than this are no progress
   NewtonSettings newton;        ///< of the final increment
 };

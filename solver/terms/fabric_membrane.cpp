@@ -50,6 +50,8 @@ FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& me
   }
 }
 
+double FabricMembrane::eta(double load) const { return std::pow(1e-2, 1.0 - load) * std::pow(final_eta_, load); }
+
 NodeVectors<6> FabricMembrane::positions(const State& state, const Element& element) const {
   NodeVectors<6> x;
   for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(layout_.garment(element.nodes[a]));
@@ -70,7 +72,7 @@ double FabricMembrane::energy(const State& state) const {
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      sum += weight * fabric_.relaxed(membrane_strain<6>(x, d)).energy;
+      sum += weight * fabric_.relaxed(membrane_strain<6>(x, d), eta(state.load)).energy;
     }
   }
   return sum;
@@ -78,6 +80,7 @@ double FabricMembrane::energy(const State& state) const {
 
 bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<MembraneElement<6>> slots(256);
+  const double compressive = eta(state.load);
   const auto compute = [&](int e, MembraneElement<6>& slot) {
     const Element& element = elements_[e];
     const NodeVectors<6> x = positions(state, element);
@@ -85,7 +88,7 @@ bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) c
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      add_membrane_point<6>(x, d, weight, fabric_.relaxed(membrane_strain<6>(x, d)), wanted(tangent), slot);
+      add_membrane_point<6>(x, d, weight, fabric_.relaxed(membrane_strain<6>(x, d), compressive), wanted(tangent), slot);
     }
     return slot.residual.allFinite();
   };
@@ -131,7 +134,7 @@ FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle
     double weight = 0.0;
     const Derivatives<6> d = derivatives(element, point, state.load, weight);
     const Eigen::Matrix<double, 3, 2> f = x * d.transpose();
-    const auto response = fabric_.relaxed(membrane_strain<6>(x, d));
+    const auto response = fabric_.relaxed(membrane_strain<6>(x, d), eta(state.load));
     const double l1 = f.col(0).norm(), l2 = f.col(1).norm(), J = f.col(0).cross(f.col(1)).norm();
     // Cauchy force sigma = F N F^T / J, components along the current warp and weft directions.
     s.tension_warp += point.weight * response.force[0] * l1 * l1 / J;

@@ -28,6 +28,11 @@ class FabricMembrane : public Term {
   void measure(const State& state, Measure& measure) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
 
+  /// Residual compressive stiffness eta of the relaxed energy at load s: 1e-2 at the start, `final_eta` at s = 1. Without
+  /// one a sleeve that is free along its axis stands on the kink between taut and wrinkled, and Newton finds no rest.
+  double eta(double load) const;
+  void set_final_eta(double eta) { final_eta_ = eta; }
+
   /// Averages over a triangle: Cauchy forces per current length (N/m) along warp, weft and shear, stretches, state.
   struct Summary {
     double tension_warp = 0, tension_weft = 0, shear = 0, stretch_warp = 0, stretch_weft = 0, wrinkled = 0, area_ratio = 1;
@@ -60,6 +65,7 @@ class FabricMembrane : public Term {
   int order_;                              ///< of the triangles
   std::vector<Element> elements_;
   ElementEntries entries_;
+  double final_eta_ = 1e-3;
 };
 
 }  // namespace snug::solver

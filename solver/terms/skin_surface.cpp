@@ -14,6 +14,7 @@ constexpr double border_reach = 1.0 + 1e-6;
 // A point that was on a facet stays with its extended surface this far over the edge. Facets meet at a slight kink; a point
 // that changed sides at the edge itself would meet a jump of the normal there, and in a concave kink no normal at all would
 // bring it to rest. The extended surface is off by the kink angle times this fraction of the facet: of third order in h.
+// The same holds at the border: a point that faced the skin when its triangle was cut faces it until the next cut.
 constexpr double hysteresis = 0.2;
 // Corner nodes (tensor order) of the edges eta = -1, xi = +1, eta = +1, xi = -1.
 constexpr std::array<std::array<int, 2>, 4> edge_corners = {{{0, 2}, {2, 8}, {8, 6}, {6, 0}}};
@@ -70,7 +71,7 @@ bool SkinSurface::settle(const State& state, const Eigen::Vector3d& x, double st
     if (over[axis] <= 1e-9) return true;
     const int edge = axis == 0 ? (site.xi[0] > 0 ? 1 : 3) : (site.xi[1] > 0 ? 2 : 0);
     const int next = neighbours_[site.facet][edge];
-    if (next >= 0 && over[axis] <= stay) return true;
+    if (over[axis] <= stay) return true;
     if (next < 0) {  // the border: a hair's breadth over it still counts
       const bool near = over[axis] <= border_reach - 1.0;
       site.xi = site.xi.cwiseMax(-1.0).cwiseMin(1.0);
