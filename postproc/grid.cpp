@@ -5,10 +5,12 @@
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkHexahedron.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkQuad.h>
 #include <vtkStringArray.h>
 #include <vtkTriQuadraticHexahedron.h>
 #include <vtkUnstructuredGrid.h>
@@ -72,37 +74,52 @@ void set_points(vtkUnstructuredGrid& grid, const std::vector<Eigen::Vector3d>& p
   grid.SetPoints(points);
 }
 
-/// Where VTK's node n stands in our tensor order, read from the parametric coordinates of VTK's own cell.
-template <class Cell, std::size_t count>
-std::array<int, count> tensor_order() {
+/// Where VTK's node n of a hexahedron or quadrilateral stands in our tensor order, read from the parametric coordinates
+/// of VTK's own cell; `along` nodes along an edge.
+template <class Cell>
+std::vector<int> tensor_order(int along) {
   vtkNew<Cell> cell;
   const double* at = cell->GetParametricCoords();
-  std::array<int, count> order;
-  for (std::size_t n = 0; n < count; ++n) {
-    const auto place = [&](int axis) { return static_cast<int>(std::lround(2 * at[3 * n + axis])); };
-    order[n] = 9 * place(2) + 3 * place(1) + place(0);
+  std::vector<int> order;
+  for (int n = 0; n < cell->GetNumberOfPoints(); ++n) {
+    const auto place = [&](int axis) { return static_cast<int>(std::lround((along - 1) * at[3 * n + axis])); };
+    order.push_back(along * along * place(2) + along * place(1) + place(0));
   }
   return order;
 }
 
+/// A kind of cell in VTK: its type and where VTK's nodes stand in ours.
+struct GridCell {
+  int type;
+  std::vector<int> order;
+};
+
+GridCell volume_cell(int nodes) {
+  if (nodes == 27) return {VTK_TRIQUADRATIC_HEXAHEDRON, tensor_order<vtkTriQuadraticHexahedron>(3)};
+  if (nodes == 8) return {VTK_HEXAHEDRON, tensor_order<vtkHexahedron>(2)};
+  return {VTK_QUADRATIC_TETRA, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
+}
+
+GridCell surface_cell(int nodes) {
+  if (nodes == 9) return {VTK_BIQUADRATIC_QUAD, tensor_order<vtkBiQuadraticQuad>(3)};
+  if (nodes == 4) return {VTK_QUAD, tensor_order<vtkQuad>(2)};
+  return {VTK_QUADRATIC_TRIANGLE, {0, 1, 2, 3, 4, 5}};
+}
+
 template <std::size_t count>
-void add_cells(vtkUnstructuredGrid& grid, int type, const std::vector<std::array<int, count>>& cells,
-               const std::array<int, count>& order) {
-  std::array<vtkIdType, count> ids;
+void add_cells(vtkUnstructuredGrid& grid, const GridCell& kind, const std::vector<std::array<int, count>>& cells) {
+  grid.Allocate(static_cast<vtkIdType>(cells.size()));
+  std::vector<vtkIdType> ids(kind.order.size());
   for (const auto& cell : cells) {
-    for (std::size_t n = 0; n < count; ++n) ids[n] = cell[order[n]];
-    grid.InsertNextCell(type, count, ids.data());
+    for (std::size_t n = 0; n < ids.size(); ++n) ids[n] = cell[kind.order[n]];
+    grid.InsertNextCell(kind.type, static_cast<vtkIdType>(ids.size()), ids.data());
   }
 }
 
 void add_body_cells(vtkUnstructuredGrid& grid, const BodyResult& body) {
-  if (body.cells.empty()) {  // a rigid body is its skin
-    grid.Allocate(static_cast<vtkIdType>(body.skin_facets.size()));
-    add_cells(grid, VTK_BIQUADRATIC_QUAD, body.skin_facets, tensor_order<vtkBiQuadraticQuad, 9>());
-    return;
-  }
-  grid.Allocate(static_cast<vtkIdType>(body.cells.size()));
-  add_cells(grid, VTK_TRIQUADRATIC_HEXAHEDRON, body.cells, tensor_order<vtkTriQuadraticHexahedron, 27>());
+  if (body.cells.empty())  // a rigid body is its skin
+    return add_cells(grid, surface_cell(body.facet_nodes), body.skin_facets);
+  add_cells(grid, volume_cell(body.cell_nodes), body.cells);
   add_integers(*grid.GetCellData(), "layer", body.cell_layer);
   add_names(grid, "layer_names", body.layers);
 }
@@ -176,8 +193,7 @@ void write_body(const BodyResult& body, const Evaluation& evaluation, const std:
 void write_garment(const GarmentResult& garment, const std::filesystem::path& vtu) {
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(*grid, garment.current);
-  grid->Allocate(static_cast<vtkIdType>(garment.triangles.size()));
-  add_cells(*grid, VTK_QUADRATIC_TRIANGLE, garment.triangles, {0, 1, 2, 3, 4, 5});
+  add_cells(*grid, surface_cell(6), garment.triangles);
   vtkPointData& points = *grid->GetPointData();
   if (garment.placed.size() == garment.current.size())
     add_field(points, "displacement", garment.current.size(), {"X", "Y", "Z"},

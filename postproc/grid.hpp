@@ -17,7 +17,7 @@ struct GridStep {
 };
 
 /// Writes the body: points are the reference positions (ParaView: Warp By Vector with `displacement`); cells are
-/// VTK_TRIQUADRATIC_HEXAHEDRON, or VTK_BIQUADRATIC_QUAD skin facets for a rigid body.
+/// VTK_TRIQUADRATIC_HEXAHEDRON, VTK_HEXAHEDRON or VTK_QUADRATIC_TETRA, or the skin facets of a rigid body.
 /// Throws std::runtime_error when the file cannot be written.
 void write_body(const BodyResult& body, const Evaluation& evaluation, const std::filesystem::path& vtu);
 

@@ -22,8 +22,9 @@ struct ContactSample {
 /// The deformed body with nodal fields. Tensors are symmetric: xx yy zz xy yz xz.
 struct BodyResult {
   std::vector<Eigen::Vector3d> nodes;                 ///< reference positions, m
-  std::vector<std::array<int, 27>> cells;             ///< tensor order (see mesh::BodyMesh); empty for a rigid body
-  std::vector<std::array<int, 9>> skin_facets;        ///< tensor order
+  int cell_nodes = 27, facet_nodes = 9;               ///< 27 and 9, 8 and 4 (hexahedra), 10 and 6 (tetrahedra)
+  std::vector<std::array<int, 27>> cells;             ///< in the order of mesh::CellKind; empty for a rigid body
+  std::vector<std::array<int, 9>> skin_facets;        ///< in the order of mesh::FacetKind
   std::vector<std::string> layers;                    ///< names
   std::vector<int> cell_layer;
   std::vector<std::string> locations;                 ///< names

@@ -139,26 +139,38 @@ struct ScanSpec {
 };
 
 struct BodySpec {
-  std::string kind = "stations";   ///< stations | scan
+  std::string kind = "stations";   ///< stations | scan | imported
   std::filesystem::path stations;  ///< CSV
+  std::filesystem::path mesh;      ///< gmsh file
+  double unit = 1.0;               ///< metres per unit of that file
   std::optional<ScanSpec> scan;
   std::vector<LayerSpec> layers;
   std::vector<LocationSpec> locations;
   int cells_around = 24, cells_along = 12;
   std::string facets = "curved";  ///< curved | flat
+  std::string elements = "Q2/P1";  ///< Q2/P1 | Q1/P0 | P2/P1
   std::string ends = "sliding";  ///< cut planes: sliding (no axial displacement) | free | fixed
   Location where;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "kind",
-                .meaning = "stations: girths along an axis; scan: a surface and two cut planes",
-                .choices = {"stations", "scan"}},
+                .meaning = "stations: girths along an axis; scan: a surface and two cut planes; imported: a mesh of cells",
+                .choices = {"stations", "scan", "imported"}},
           self.kind);
     field(Field{.key = "stations",
                 .meaning = "CSV file of the girths: height, girth, width_to_depth, centre_x, centre_y, "
                            "bone_girth, bone_width_to_depth, bone_x, bone_y"},
           self.stations);
+    field(Field{.key = "mesh",
+                .meaning = "gmsh file with hexahedra or tetrahedra; its physical volumes are the layers by their names, its "
+                           "physical surfaces, curves and points the named surfaces (\"skin\" is where a garment touches)"},
+          self.mesh);
+    field(Field{.key = "unit",
+                .unit = "m",
+                .meaning = "length of one unit of the mesh file, e.g. \"1 mm\"",
+                .bound = positive()},
+          self.unit);
     field(Field{.key = "scan", .meaning = "surface, cut planes and bone of a scan"}, self.scan);
     field(Field{.key = "layers", .meaning = "the layers from the inside out", .required = true}, self.layers);
     field(Field{.key = "locations", .meaning = "named patches of skin whose pressure is reported"}, self.locations);
@@ -171,8 +183,14 @@ struct BodySpec {
                            "curved ones bring",
                 .choices = {"curved", "flat"}},
           self.facets);
+    field(Field{.key = "elements",
+                .meaning = "displacement/pressure of the cells. Q2/P1: quadratic hexahedra; Q1/P0: linear hexahedra, a "
+                           "fast preview; P2/P1: quadratic tetrahedra, six in each hexahedron. Tetrahedra of a mesh file "
+                           "are P2/P1",
+                .choices = {"Q2/P1", "Q1/P0", "P2/P1"}},
+          self.elements);
     field(Field{.key = "ends",
-                .meaning = "cut planes: sliding (no displacement along the axis), free or fixed",
+                .meaning = "cut planes of a limb: sliding (no displacement along the axis), free or fixed",
                 .choices = {"sliding", "free", "fixed"}},
           self.ends);
   }

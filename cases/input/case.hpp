@@ -9,6 +9,7 @@
 #include "cases/input/body_spec.hpp"
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/garment_spec.hpp"
+#include "cases/input/load_spec.hpp"
 #include "cases/input/material_reference.hpp"
 #include "cases/input/study_spec.hpp"
 
@@ -36,20 +37,6 @@ struct ComfortSpec {
   }
 };
 
-/// Follower pressure on the skin (no garment needed).
-struct LoadSpec {
-  double skin_pressure = 0.0;  ///< Pa
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "skin_pressure",
-                .unit = "Pa",
-                .meaning = "pressure on the whole skin, follows the deformed surface",
-                .required = true},
-          self.skin_pressure);
-  }
-};
-
 struct SolverSpec {
   std::string tier = "L4";  ///< L0 | L1 | L4
 
@@ -72,6 +59,7 @@ struct Case {
   std::optional<ContactSpec> contact;
   std::optional<ComfortSpec> comfort;
   std::optional<LoadSpec> load;
+  std::vector<SupportSpec> support;
   SolverSpec solver;
   std::optional<StudySpec> study;
 
@@ -82,7 +70,8 @@ struct Case {
     field(Field{.key = "garment", .meaning = "the garment: pattern, fabric, placement"}, self.garment);
     field(Field{.key = "contact", .meaning = "contact of garment and skin"}, self.contact);
     field(Field{.key = "comfort", .meaning = "sensation by location and overall comfort"}, self.comfort);
-    field(Field{.key = "load", .meaning = "loads without a garment"}, self.load);
+    field(Field{.key = "load", .meaning = "loads on the body beside a garment"}, self.load);
+    field(Field{.key = "support", .meaning = "surfaces of the body that are held or moved"}, self.support);
     field(Field{.key = "solver", .meaning = "how much of the body is solved"}, self.solver);
     field(Field{.key = "study", .meaning = "what snug study compares: meshes, variants, exact answer"}, self.study);
   }

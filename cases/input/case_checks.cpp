@@ -19,7 +19,6 @@ struct Unavailable {
 std::vector<Unavailable> unavailable() {
   return {
       {"contact", "friction", "friction is not available yet; leave it out: contact is frictionless"},
-      {"body", "imported", "imported meshes are not available yet; use kind = \"stations\" or \"scan\""},
       {"garment", "bending", "bending is not available yet; leave it out"},
       {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"},
       {"", "reference", "comparison with reference tables is not available yet; leave [reference] out"}};
@@ -89,17 +88,33 @@ void check_locations(const BodySpec& body, Diagnostics& diagnostics) {
 }
 
 void check_kind(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
-  const bool scan = body.kind == "scan";
-  const std::string used = scan ? "scan" : "stations", unused = scan ? "stations" : "scan";
-  if (!table.find(used))
-    diagnostics.error(body.where,
-                      fmt::format("kind = \"{}\" needs {}", body.kind, scan ? "a section [body.scan]" : "stations"),
-                      scan ? "add [body.scan] with surface, lower, upper and bone"
-                           : "name the CSV file of the girths: stations = \"body/limb.csv\"");
-  if (table.find(unused))
-    diagnostics.error(table.where_is(unused),
-                      fmt::format("{} is given, but kind = \"{}\" does not use it", unused, body.kind),
-                      fmt::format("leave it out or write kind = \"{}\"", unused));
+  struct Kind {
+    std::string kind, key, what, remedy;
+  };
+  const std::vector<Kind> kinds = {
+      {"stations", "stations", "stations", "name the CSV file of the girths: stations = \"body/limb.csv\""},
+      {"scan", "scan", "a section [body.scan]", "add [body.scan] with surface, lower, upper and bone"},
+      {"imported", "mesh", "a mesh", "name the gmsh file: mesh = \"body/limb.msh\""}};
+  for (const Kind& kind : kinds) {
+    if (kind.kind == body.kind && !table.find(kind.key))
+      diagnostics.error(body.where, fmt::format("kind = \"{}\" needs {}", body.kind, kind.what), kind.remedy);
+    if (kind.kind != body.kind && table.find(kind.key))
+      diagnostics.error(table.where_is(kind.key),
+                        fmt::format("{} is given, but kind = \"{}\" does not use it", kind.key, body.kind),
+                        fmt::format("leave it out or write kind = \"{}\"", kind.kind));
+  }
+}
+
+/// The layers of an imported mesh are named in any order; sizes come from the mesh.
+void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
+  for (const LayerSpec& layer : body.layers)
+    if (layer.form == "solid" && layer.thickness)
+      diagnostics.error(layer.where, fmt::format("layer \"{}\" of an imported mesh has a thickness", layer.name),
+                        "leave it out: the mesh says where the layer is");
+  for (const char* key : {"cells_around", "cells_along", "ends"})
+    if (table.find(key))
+      diagnostics.error(table.where_is(key), fmt::format("{} does not apply to an imported mesh", key),
+                        "leave it out; hold surfaces of the mesh with [[support]]");
 }
 
 void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
@@ -110,6 +125,7 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   if (body.layers.empty())
     return diagnostics.error(table.where_is("layers"), "the body has no layers",
                              "list them from the inside out, the bone first");
+  if (body.kind == "imported") return check_imported(body, table, diagnostics);
   check_layer_order(body.layers, diagnostics);
   check_thicknesses(body, diagnostics);
 }
@@ -125,7 +141,8 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
   const auto error = [&](const std::string& key, const std::string& found, const std::string& remedy) {
     diagnostics.error(root.where_is(key), found, remedy);
   };
-  const bool body = root.find("body"), garment = root.find("garment"), load = root.find("load");
+  const bool body = root.find("body"), garment = root.find("garment");
+  const bool load = root.find("load"), support = root.find("support");
   if (!body && !garment)
     error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
   if (garment && !body)
@@ -139,7 +156,28 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
     error("comfort", "[comfort] judges contact pressure, but there is no [contact]",
           "add [garment] and [contact], or leave [comfort] out");
   if (load && !body) error("load", "there is a [load] but no [body]", "add [body] or leave [load] out");
-  if (body && !garment && !load) error("body", "nothing acts on the body", "add [garment] with [contact], or [load]");
+  if (support && !body) error("support", "there is a [[support]] but no [body]", "add [body] or leave it out");
+  if (body && !garment && !load && !support)
+    error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
+}
+
+void check_loads(const Case& c, Diagnostics& diagnostics) {
+  if (!c.load) return;
+  for (const Force& force : c.load->force)
+    if (force.at.has_value() == !force.on.empty())
+      diagnostics.error(force.where, force.at ? "a force has both at and on" : "a force has neither at nor on",
+                        "write at = [x, y, z] for a point, or on = \"name\" for a surface");
+}
+
+void check_supports(const Case& c, Diagnostics& diagnostics) {
+  for (const SupportSpec& support : c.support) {
+    if (!support.x && !support.y && !support.z)
+      diagnostics.error(support.where, fmt::format("the support of \"{}\" holds nothing", support.on),
+                        "give a displacement, e.g. x = \"0 mm\"");
+    if (support.turn != 0.0 && (!support.x || !support.y))
+      diagnostics.error(support.where, fmt::format("\"{}\" is turned but x or y is free", support.on),
+                        "add x = \"0 mm\" and y = \"0 mm\"");
+  }
 }
 
 void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
@@ -180,6 +218,11 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   if (description.body)
     if (const Table* body = root.table("body")) check_body(*description.body, *body, diagnostics);
   if (description.garment) check_held(*description.garment, diagnostics);
+  if (description.body && description.body->kind == "imported" && description.garment)
+    diagnostics.error(root.where_is("garment"), "a garment on an imported body cannot be placed yet",
+                      "use kind = \"stations\" or \"scan\", or load the imported body with [load] and [[support]]");
+  check_loads(description, diagnostics);
+  check_supports(description, diagnostics);
   check_tier(description, root, diagnostics);
   if (description.body && description.comfort && description.body->locations.empty())
     diagnostics.error(root.where_is("comfort"), "[comfort] has no locations to judge",

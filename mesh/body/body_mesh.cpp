@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "mesh/body/hex27.hpp"
 #include "mesh/body/lattice.hpp"
 #include "mesh/body/layering.hpp"
 
@@ -31,31 +30,22 @@ Grid checked_grid(const input::BodySpec& spec, const Layering& layering) {
   return grid;
 }
 
-/// Facet k = 2 of a cell.
-std::array<int, 9> outer_facet(const std::array<int, 27>& cell) {
-  std::array<int, 9> facet;
-  std::copy_n(cell.begin() + 18, 9, facet.begin());
-  return facet;
-}
-
+/// Names the surfaces by the lattice: their nodes, and the faces of cells that lie on them.
 void collect_surfaces(const Lattice& lattice, const Grid& grid, BodyMesh& mesh) {
-  for (std::size_t n = 0; n < lattice.nodes.size(); ++n) {
-    const LatticeKey& key = lattice.nodes[n];
-    const int node = static_cast<int>(n);
-    if (key.k == 0) mesh.bone_nodes.push_back(node);
-    if (key.j == 0) mesh.lower_nodes.push_back(node);
-    if (key.j == 2 * grid.along) mesh.upper_nodes.push_back(node);
-  }
-  for (const auto& cell : lattice.cells)
-    if (lattice.nodes[cell[18]].k == 2 * grid.through) mesh.skin_facets.push_back(outer_facet(cell));
-}
-
-double mean_facet_edge(const BodyMesh& mesh) {
-  static constexpr std::array<std::array<int, 2>, 4> edges = {{{0, 2}, {6, 8}, {0, 6}, {2, 8}}};
-  double sum = 0.0;
-  for (const auto& facet : mesh.skin_facets)
-    for (const auto& [a, b] : edges) sum += (mesh.nodes[facet[a]] - mesh.nodes[facet[b]]).norm();
-  return sum / (4.0 * static_cast<double>(mesh.skin_facets.size()));
+  const auto add = [&](const std::string& name, auto holds) {
+    Surface& surface = mesh.surfaces.emplace_back();
+    surface.name = name;
+    std::vector<char> keep(mesh.nodes.size(), 0);
+    for (std::size_t n = 0; n < lattice.nodes.size(); ++n)
+      if (holds(lattice.nodes[n])) keep[n] = 1, surface.nodes.push_back(static_cast<int>(n));
+    surface.facets = boundary_facets(mesh, keep);
+  };
+  add("bone", [](const LatticeKey& key) { return key.k == 0; });
+  add("lower", [](const LatticeKey& key) { return key.j == 0; });
+  add("upper", [&](const LatticeKey& key) { return key.j == 2 * grid.along; });
+  add("skin", [&](const LatticeKey& key) { return key.k == 2 * grid.through; });
+  mesh.bone_nodes = mesh.surface("bone")->nodes;
+  mesh.skin_facets = mesh.surface("skin")->facets;
 }
 
 bool in_sector(double angle, const input::LocationSpec& location) {
@@ -83,24 +73,22 @@ void assign_locations(const std::vector<input::LocationSpec>& locations, const L
     while (static_cast<int>(centre.size()) <= key.j) centre.push_back(Eigen::Vector2d::Constant(NAN));
     if (std::isnan(centre[key.j].x())) centre[key.j] = section_centre(*limb.skin, x.z());
     const double angle = std::atan2(x.y() - centre[key.j].y(), x.x() - centre[key.j].x());
-    const auto holds = [&](const auto& location) { return in_sector(angle, location) && in_range(x.z(), location); };
-    const auto found = std::find_if(locations.begin(), locations.end(), holds);
-    if (found != locations.end()) mesh.node_location[n] = static_cast<int>(found - locations.begin());
+    mesh.node_location[n] = location_of(locations, angle, x.z());
   }
 }
 
 void check_cells(const BodyMesh& mesh, const Limb& limb, const input::Location& where) {
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    std::array<Eigen::Vector3d, 27> x;
-    std::transform(mesh.cells[c].begin(), mesh.cells[c].end(), x.begin(), [&](int node) { return mesh.nodes[node]; });
-    for (const SamplePoint& sample : hex27_samples()) {
-      if (hex27_jacobian(x, sample.reference).determinant() > 0.0) continue;
-      const Eigen::Vector2d from = x[13].head<2>() - section_centre(*limb.skin, x[13].z());
+    const CellPositions x = cell_positions(mesh.kind, mesh.cells[c], mesh.nodes);
+    for (const SamplePoint& sample : check_points(mesh.kind)) {
+      if (jacobian(mesh.kind, x, sample.reference).determinant() > 0.0) continue;
+      const Eigen::Vector3d middle = x.rowwise().mean();
+      const Eigen::Vector2d from = middle.head<2>() - section_centre(*limb.skin, middle.z());
       throw input::InputError(
           where,
           fmt::format("a cell of layer \"{}\" would turn inside out at angle {:.0f} deg, height {:.1f} mm",
                       mesh.layers[mesh.cell_layer[c]].name, std::atan2(from.y(), from.x()) * 360.0 / full_turn,
-                      1e3 * x[13].z()),
+                      1e3 * middle.z()),
           "take more cells around, a thinner layer, or a bone nearer to the middle of the section");
     }
   }
@@ -122,7 +110,17 @@ void straighten(BodyMesh& mesh) {
     }
 }
 
+CellKind kind_of(const std::string& elements) {
+  return elements == "Q1/P0" ? CellKind::hex8 : elements == "P2/P1" ? CellKind::tet10 : CellKind::hex27;
+}
+
 }  // namespace
+
+int location_of(const std::vector<input::LocationSpec>& locations, double angle, double height) {
+  for (std::size_t l = 0; l < locations.size(); ++l)
+    if (in_sector(angle, locations[l]) && in_range(height, locations[l])) return static_cast<int>(l);
+  return -1;
+}
 
 BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   const Layering layering(spec);
@@ -143,28 +141,33 @@ BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   if (spec.facets == "flat") straighten(mesh);
   check_cells(mesh, limb, spec.where);
   collect_surfaces(lattice, grid, mesh);
-  mesh.mean_skin_cell = mean_facet_edge(mesh);
+  mesh.mean_skin_cell = mean_edge(mesh, mesh.skin_facets);
   assign_locations(spec.locations, lattice, limb, 2 * grid.through, mesh);
-  return mesh;
+  const CellKind kind = kind_of(spec.elements);
+  if (kind == CellKind::hex27) return mesh;
+  BodyMesh converted = convert(mesh, kind);
+  check_cells(converted, limb, spec.where);
+  return converted;
 }
 
 std::vector<QualityRow> quality(const BodyMesh& mesh) {
   std::vector<QualityRow> rows;
   for (const Layer& layer : mesh.layers) rows.push_back({.layer = layer.name, .min_scaled_jacobian = 1.0});
-  const double samples = static_cast<double>(hex27_samples().size());
+  // A regular tetrahedron's edge tangents span a parallelepiped of 1/sqrt(2): scaled to 1.
+  const double ideal = mesh.kind == CellKind::tet10 ? std::sqrt(2.0) : 1.0;
+  const double samples = static_cast<double>(check_points(mesh.kind).size());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     QualityRow& row = rows[mesh.cell_layer[c]];
-    std::array<Eigen::Vector3d, 27> x;
-    std::transform(mesh.cells[c].begin(), mesh.cells[c].end(), x.begin(), [&](int node) { return mesh.nodes[node]; });
+    const CellPositions x = cell_positions(mesh.kind, mesh.cells[c], mesh.nodes);
     ++row.cells;
-    for (const SamplePoint& sample : hex27_samples()) {
-      const Eigen::Matrix3d jacobian = hex27_jacobian(x, sample.reference);
-      const Eigen::Vector3d edges = jacobian.colwise().norm();
-      const double scaled = jacobian.determinant() / edges.prod();
+    for (const SamplePoint& sample : check_points(mesh.kind)) {
+      const Eigen::Matrix3d J = jacobian(mesh.kind, x, sample.reference);
+      const Eigen::Vector3d edges = J.colwise().norm();
+      const double scaled = ideal * J.determinant() / edges.prod();
       row.min_scaled_jacobian = std::min(row.min_scaled_jacobian, scaled);
       row.mean_scaled_jacobian += scaled / samples;  // divided by the cells below
       row.max_aspect = std::max(row.max_aspect, edges.maxCoeff() / edges.minCoeff());
-      row.volume += sample.weight * jacobian.determinant();
+      row.volume += sample.weight * J.determinant();
     }
   }
   for (QualityRow& row : rows) row.mean_scaled_jacobian /= std::max(row.cells, 1);

@@ -1,12 +1,12 @@
-// The layered body as structured Q2 hexahedra with named layers, surfaces and locations.
+// The layered body as cells of one kind with named layers, surfaces and locations.
 #pragma once
 
 #include <Eigen/Core>
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "mesh/body/cell_kind.hpp"
 #include "mesh/body/limb.hpp"
 
 namespace snug::mesh {
@@ -24,23 +24,42 @@ struct SkinMembrane {
   double thickness = 0.0;  ///< m
 };
 
+/// A named part of the boundary: "skin", "bone", "lower", "upper" of a limb, or what an imported mesh names. Facets are of
+/// the mesh's facet kind and their normals point out of the body; an imported curve or point has nodes only.
+struct Surface {
+  std::string name;
+  std::vector<FacetNodeNumbers> facets;
+  std::vector<int> nodes;
+};
+
 /// Nodes are reference positions in the frame of the body (z along the axis, x side, y front), metres.
 struct BodyMesh {
   std::vector<Eigen::Vector3d> nodes;
-  /// 27 nodes a cell in tensor order: node (i, j, k) stands at 9 k + 3 j + i; i runs round the body, j along the axis,
-  /// k outwards, so that the Jacobian is positive and face k = 2 is the outer one.
-  std::vector<std::array<int, 27>> cells;
+  CellKind kind = CellKind::hex27;
+  /// In the limb's hexahedra i runs round the body, j along the axis, k outwards, so that face k = 1 is the outer one.
+  std::vector<CellNodes> cells;
   std::vector<int> cell_layer;  ///< index into `layers`
   std::vector<Layer> layers;
   std::vector<SkinMembrane> membranes;  ///< skin as surface membrane (empty or one)
-  /// Outer surface: 9 nodes a facet in tensor order (node (i, j) at 3 j + i); d/di x d/dj points out of the body.
-  std::vector<std::array<int, 9>> skin_facets;
+  std::vector<FacetNodeNumbers> skin_facets;  ///< outer surface, where a garment touches: facets of the surface "skin"
   std::vector<int> bone_nodes;                ///< on the rigid bone; empty when the bone is not rigid
-  std::vector<int> lower_nodes, upper_nodes;  ///< on the cut planes
+  std::vector<Surface> surfaces;
   std::vector<std::string> locations;         ///< names of the skin patches
   std::vector<int> node_location;             ///< per node: index into `locations`, -1 for none and for nodes inside
   double mean_skin_cell = 0.0;                ///< m, mean edge length of the skin facets
+
+  /// The surface of that name, or null.
+  const Surface* surface(const std::string& name) const;
 };
+
+/// The first location whose sector holds the angle (rad) and whose range holds the height (m), or -1.
+int location_of(const std::vector<input::LocationSpec>& locations, double angle, double height);
+
+/// Mean edge length of facets, m.
+double mean_edge(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets);
+
+/// Facets of the cells' faces whose nodes all satisfy `keep` (indexed by node) and that no other cell shares.
+std::vector<FacetNodeNumbers> boundary_facets(const BodyMesh& mesh, const std::vector<char>& keep);
 
 struct QualityRow {
   std::string layer;
@@ -55,7 +74,11 @@ struct QualityRow {
 /// invert.
 BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb);
 
-/// One row a layer; Jacobians sampled at the 27 Gauss points and the 27 nodes.
+/// The same body in cells of another kind: Q1 hexahedra on the corners of quadratic ones, or six quadratic tetrahedra in
+/// each, whose mid-edge nodes are the hexahedron's own (Kuhn's subdivision). The mesh given has hexahedra with 27 nodes.
+BodyMesh convert(const BodyMesh& mesh, CellKind kind);
+
+/// One row a layer; Jacobians sampled at the Gauss points and the nodes.
 std::vector<QualityRow> quality(const BodyMesh& mesh);
 
 }  // namespace snug::mesh

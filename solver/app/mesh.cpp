@@ -8,28 +8,13 @@
 #include "solver/app/output_directory.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/print_plan.hpp"
+#include "solver/scene/result.hpp"
 
 namespace snug::app {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The undeformed body as a result, for the grid writer.
-postproc::BodyResult undeformed(const mesh::BodyMesh& mesh) {
-  postproc::BodyResult body;
-  body.nodes = mesh.nodes;
-  body.cells = mesh.cells;
-  body.skin_facets = mesh.skin_facets;
-  for (const mesh::Layer& layer : mesh.layers) body.layers.push_back(layer.name);
-  body.cell_layer = mesh.cell_layer;
-  body.locations = mesh.locations;
-  body.node_location = mesh.node_location;
-  body.displacement.assign(mesh.nodes.size(), Eigen::Vector3d::Zero());
-  body.contact_pressure.assign(mesh.nodes.size(), 0.0);
-  body.coverage.assign(mesh.nodes.size(), 0.0);
-  return body;
-}
 
 /// The garment as placed round the body, without strain.
 postproc::GarmentResult as_placed(const mesh::GarmentMesh& mesh) {
@@ -60,7 +45,7 @@ class Mesh : public Command {
     const PreparedCase prepared = prepare(directory_, options_);
     fmt::print("{}\n\n{}", prepared.description.title, quality_text(prepared));
     const solver::Meshes& meshes = prepared.meshes;
-    if (!meshes.body.nodes.empty()) postproc::write_body(undeformed(meshes.body), {}, out.aside() / "body.vtu");
+    if (!meshes.body.nodes.empty()) postproc::write_body(solver::body_result(meshes.body, true), {}, out.aside() / "body.vtu");
     if (!meshes.garment.triangles.empty())
       postproc::write_garment(as_placed(meshes.garment), out.aside() / "garment.vtu");
     out.commit();

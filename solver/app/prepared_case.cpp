@@ -4,6 +4,7 @@
 
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
+#include "mesh/body/import.hpp"
 #include "postproc/sensation.hpp"
 
 namespace snug::app {
@@ -52,6 +53,10 @@ void check_materials(const input::Case& description) {
 solver::Meshes make_meshes(const input::Case& description) {
   solver::Meshes meshes;
   if (!description.body) return meshes;
+  if (description.body->kind == "imported") {
+    meshes.body = mesh::import_body_mesh(*description.body);
+    return meshes;
+  }
   meshes.limb = mesh::make_limb(*description.body);
   meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   if (!description.garment) return meshes;

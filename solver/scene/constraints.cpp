@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "materials/laws/solid_law.hpp"
+#include "solver/terms/pressure_unknowns.hpp"
+
 namespace snug::solver {
 
 namespace {
@@ -15,14 +18,12 @@ void fix(Constraints& constraints, int entry) {
   if (!constraints.is_constrained(entry)) constraints.add_line(entry);
 }
 
-void constrain_body(const input::BodySpec& spec, const mesh::BodyMesh& body, const Layout& layout,
-                    Constraints& constraints) {
-  for (const int node : body.bone_nodes)
-    for (int c = 0; c < 3; ++c) fix(constraints, layout.body(node, c));
-  if (spec.ends == "free") return;
-  for (const auto* nodes : {&body.lower_nodes, &body.upper_nodes})
-    for (const int node : *nodes)
-      for (int c = spec.ends == "fixed" ? 0 : 2; c < 3; ++c) fix(constraints, layout.body(node, c));
+/// Pressures of layers whose law has none are not part of the system.
+void constrain_pressures(const mesh::BodyMesh& body, const Layout& layout, Constraints& constraints) {
+  const std::vector<int> layer = pressure_unknowns(body).layer;
+  for (std::size_t i = 0; i < layer.size(); ++i)
+    if (!materials::is_split(materials::find_tissue(body.layers[layer[i]].material).law))
+      fix(constraints, layout.pressure(static_cast<int>(i)));
 }
 
 bool turns_freely(const input::GarmentSpec& spec) {
@@ -82,6 +83,7 @@ TurnPin turn_pin(const mesh::GarmentMesh& garment) {
 Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact) {
   Layout layout;
   layout.body_nodes = deformable ? static_cast<int>(body.nodes.size()) : 0;
+  if (deformable) layout.pressures = static_cast<int>(pressure_unknowns(body).layer.size());
   layout.garment_nodes = static_cast<int>(garment.pattern.size());
   if (contact) {
     std::set<int> vertices;
@@ -95,9 +97,12 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
 bool slides_freely(const input::Case& description) { return description.garment && description.garment->held.empty(); }
 
 Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                         const Layout& layout) {
+                         const Layout& layout, const Supports& supports) {
   Constraints constraints;
-  if (layout.body_nodes > 0) constrain_body(*description.body, body, layout, constraints);
+  if (layout.body_nodes > 0) {
+    constrain_pressures(body, layout, constraints);
+    for (const int entry : supports.entries()) fix(constraints, entry);
+  }
   if (layout.garment_nodes > 0) constrain_garment(description, garment, layout, constraints);
   constraints.close();
   std::vector<int> master(layout.size());

@@ -8,6 +8,7 @@
 #include "mesh/garment/garment_mesh.hpp"
 #include "solver/algebra/numbering.hpp"
 #include "solver/algebra/state.hpp"
+#include "solver/scene/supports.hpp"
 
 namespace snug::solver {
 
@@ -30,10 +31,10 @@ struct TurnPin {
 };
 TurnPin turn_pin(const mesh::GarmentMesh& garment);
 
-/// Bone nodes are fixed; the cut planes slide in their plane, are fixed or free; sewn garment nodes share their
-/// unknowns; held edges keep their axial place (a garment without any is held at its probe edge). Built as
+/// What the supports prescribe has no unknowns; neither have pressures of layers whose law has none; sewn garment nodes
+/// share their unknowns; held edges keep their axial place (a garment without any is held at its probe edge). Built as
 /// deal.II AffineConstraints.
 Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                         const Layout& layout);
+                         const Layout& layout, const Supports& supports);
 
 }  // namespace snug::solver

@@ -22,12 +22,14 @@ long count(const Numbering& numbering, int begin, int end) {
 void count_unknowns(const input::Case& description, const Meshes& meshes, bool deformable, Plan& plan) {
   const bool contact = description.garment && description.contact;
   const Layout layout = make_layout(meshes.body, meshes.garment, deformable, contact);
-  const Numbering numbering = make_numbering(description, meshes.body, meshes.garment, layout);
+  const Numbering numbering = make_numbering(description, meshes.body, meshes.garment, layout,
+                                             Supports(description, meshes.body, layout));
   const auto put = [&](const char* part, int begin, int end) {
     if (end > begin) plan.unknowns[part] = count(numbering, begin, end);
   };
   put("body", 0, layout.garment(0));
-  put("garment", layout.garment(0), layout.multiplier(0));
+  put("garment", layout.garment(0), layout.pressure(0));
+  put("pressure", layout.pressure(0), layout.multiplier(0));
   put("contact", layout.multiplier(0), layout.size());
 }
 
@@ -39,8 +41,9 @@ void list_body(const input::Case& description, const Meshes& meshes, Plan& plan)
   }
   for (std::size_t l = 0; l < meshes.body.layers.size(); ++l) {
     const auto cells = std::count(meshes.body.cell_layer.begin(), meshes.body.cell_layer.end(), static_cast<int>(l));
-    plan.parts_in.push_back(fmt::format("{}: {}, {} Q2/P1 hexahedra", meshes.body.layers[l].name,
-                                        materials::find_tissue(meshes.body.layers[l].material).name, cells));
+    plan.parts_in.push_back(fmt::format("{}: {}, {} {}", meshes.body.layers[l].name,
+                                        materials::find_tissue(meshes.body.layers[l].material).name, cells,
+                                        to_string(meshes.body.kind)));
   }
   for (const auto& membrane : meshes.body.membranes)
     plan.parts_in.push_back(fmt::format("{}: membrane of {:.2f} mm", membrane.name, 1e3 * membrane.thickness));
@@ -70,6 +73,20 @@ void list_garment(const input::Case& description, const Meshes& meshes, Plan& pl
   plan.parts_out.push_back("bending: not in the case");
 }
 
+void list_loads(const input::Case& description, Plan& plan) {
+  if (!description.load || description.load->empty()) {
+    plan.parts_out.push_back("load: no [load] in the case");
+  } else {
+    const input::LoadSpec& load = *description.load;
+    if (load.skin_pressure != 0.0) plan.parts_in.push_back("load: follower pressure on the skin");
+    for (const auto& p : load.pressure) plan.parts_in.push_back("load: follower pressure on " + p.on);
+    for (const auto& t : load.traction) plan.parts_in.push_back("load: dead traction on " + t.on);
+    for (const auto& f : load.force) plan.parts_in.push_back("load: dead force " + (f.at ? "at a point" : "on " + f.on));
+    if (load.gravity != std::array<double, 3>{0, 0, 0}) plan.parts_in.push_back("load: weight");
+  }
+  for (const auto& support : description.support) plan.parts_in.push_back("support: " + support.on);
+}
+
 // Time and memory by unknowns, from runs of the shipped cases on two cores (2026-11): a rough guide, not a promise.
 void estimate(Plan& plan) {
   double rigid = 0.0, body = 0.0;
@@ -85,10 +102,7 @@ Plan plan(const input::Case& description, const Meshes& meshes) {
   plan.tier = description.solver.tier;
   list_body(description, meshes, plan);
   list_garment(description, meshes, plan);
-  if (description.load && description.load->skin_pressure != 0.0 && plan.tier == "L4")
-    plan.parts_in.push_back("load: follower pressure on the skin");
-  else
-    plan.parts_out.push_back("load: no [load] in the case");
+  if (plan.tier == "L4") list_loads(description, plan);
   if (!description.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
   if (plan.tier != "L0") count_unknowns(description, meshes, plan.tier == "L4", plan);
   estimate(plan);

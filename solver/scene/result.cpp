@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "postproc/skin_pressure.hpp"
-#include "solver/terms/skin_membrane_term.hpp"
+#include "solver/terms/facet_kind.hpp"
 
 namespace snug::solver {
 
@@ -12,6 +12,7 @@ postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
   postproc::BodyResult result;
   result.nodes = mesh.nodes;
   if (cells) result.cells = mesh.cells, result.cell_layer = mesh.cell_layer;
+  result.cell_nodes = node_count(mesh.kind), result.facet_nodes = node_count(facet_kind(mesh.kind));
   result.skin_facets = mesh.skin_facets;
   for (const auto& layer : mesh.layers) result.layers.push_back(layer.name);
   result.locations = mesh.locations;
@@ -27,10 +28,10 @@ namespace {
 void fill_stress(const Tissue& tissue, const State& state, postproc::BodyResult& body) {
   body.cauchy_stress.assign(body.nodes.size(), Eigen::Matrix<double, 6, 1>::Zero());
   std::vector<int> count(body.nodes.size(), 0);
-  for (int c = 0; c < tissue.cells(); ++c) {
-    const auto stress = tissue.nodal_stress(state, c);
-    for (int a = 0; a < 27; ++a) {
-      body.cauchy_stress[body.cells[c][a]] += stress[a];
+  for (std::size_t c = 0; c < body.cells.size(); ++c) {
+    const auto stress = tissue.nodal_stress(state, static_cast<int>(c));
+    for (int a = 0; a < body.cell_nodes; ++a) {
+      body.cauchy_stress[body.cells[c][a]] += stress.col(a);
       ++count[body.cells[c][a]];
     }
   }
@@ -128,16 +129,14 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::BodyMesh
         if (!counted[node]) counted[node] = 1, list.push_back(node);
       return list;
     };
-    support("bone", fresh(body.bone_nodes), entry);
-    support("lower cut", fresh(body.lower_nodes), entry);
-    support("upper cut", fresh(body.upper_nodes), entry);
+    for (const auto& [name, nodes] : scene.supports().nodes()) support(name, fresh(nodes), entry);
   }
   for (const auto& [name, nodes] : garment.edges)
     support(name + " edge", nodes, [&](int node, int c) { return layout.garment(node, c); });
 }
 
 // Mean over the touched skin and over the whole skin; radial means the skin's own reference normal.
-void fill_numbers(const Scene& scene, postproc::RunResult& result) {
+void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunResult& result) {
   double force = 0.0, area = 0.0;
   for (const auto& sample : result.samples)
     if (sample.touching) force += sample.force, area += sample.area;
@@ -149,19 +148,20 @@ void fill_numbers(const Scene& scene, postproc::RunResult& result) {
   }
   if (scene.layout().body_nodes == 0) return;
   double sum = 0.0, weight = 0.0, largest = 0.0;
-  for (const auto& facet : result.body.skin_facets) {
-    FacetNodes rest;
-    for (int a = 0; a < 9; ++a) rest.col(a) = result.body.nodes[facet[a]];
-    Eigen::Matrix<double, 3, 9> moved;
-    for (int a = 0; a < 9; ++a) moved.col(a) = result.body.displacement[facet[a]];
-    for (const FacetRulePoint& q : facet_rule()) {
-      const FacetShape shape = facet_shape(q.xi);
+  const mesh::FacetKind kind = facet_kind(body.kind);
+  for (const auto& facet : body.skin_facets) {
+    const FacetNodes rest = facet_positions(body, facet);
+    FacetNodes moved = FacetNodes::Zero();
+    for (int a = 0; a < node_count(kind); ++a) moved.col(a) = result.body.displacement[facet[a]];
+    for (const FacetRulePoint& q : facet_rule(kind)) {
+      const FacetShape shape = facet_shape(kind, q.xi);
       const FacetPoint point = facet_point(rest, shape);
       sum += q.weight * point.area * (moved * shape.N).dot(point.n);
       weight += q.weight * point.area;
     }
-    for (const int node : facet) largest = std::max(largest, result.body.displacement[node].norm());
+    largest = std::max(largest, moved.colwise().norm().maxCoeff());
   }
+  if (weight == 0.0) return;
   result.numbers["mean_skin_radial_displacement_m"] = sum / weight;
   result.numbers["max_skin_displacement_m"] = largest;
 }
@@ -188,7 +188,7 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
   }
   fill_reactions(scene, state, body, garment, result.balance);
   result.max_penetration = scene.measure(state).penetration;
-  fill_numbers(scene, result);
+  fill_numbers(scene, body, result);
 }
 
 }  // namespace snug::solver

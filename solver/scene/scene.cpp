@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 
 #include "materials/laws/skin_membrane.hpp"
+#include "solver/scene/loads.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
-#include "solver/terms/skin_pressure_load.hpp"
 
 namespace snug::solver {
 
@@ -35,10 +35,30 @@ class VectorSink : public Sink {
   Eigen::VectorXd& sum_;
 };
 
+/// Adds tangent * direction, element by element.
+class ProductSink : public Sink {
+ public:
+  ProductSink(const ElementEntries& entries, const Eigen::VectorXd& direction, Eigen::VectorXd& sum)
+      : entries_(entries), direction_(direction), sum_(sum) {}
+  void add(int element, std::span<const double>, std::span<const double> matrix) override {
+    const auto entries = entries_.of(element);
+    for (std::size_t k = 0; k < matrix.size(); ++k)
+      sum_[entries[k / entries.size()]] += matrix[k] * direction_[entries[k % entries.size()]];
+  }
+
+ private:
+  const ElementEntries& entries_;
+  const Eigen::VectorXd& direction_;
+  Eigen::VectorXd& sum_;
+};
+
 }  // namespace
 
-Scene::Scene(const Layout& layout, Numbering numbering)
-    : layout_(layout), numbering_(std::move(numbering)), proximal_weights_(Eigen::VectorXd::Zero(layout.size())) {}
+Scene::Scene(const Layout& layout, Numbering numbering, Supports supports)
+    : layout_(layout),
+      numbering_(std::move(numbering)),
+      supports_(std::move(supports)),
+      proximal_weights_(Eigen::VectorXd::Zero(layout.size())) {}
 
 void Scene::add(std::unique_ptr<Term> term) {
   terms_.push_back(std::move(term));
@@ -73,6 +93,12 @@ bool Scene::assemble(const State& state, Tangent tangent) {
   return true;
 }
 
+int Scene::saddle_rows() const {
+  int rows = 0;
+  for (int i = layout_.pressure(0); i < layout_.size(); ++i) rows += numbering_.unknown(i) >= 0;
+  return rows;
+}
+
 Eigen::VectorXd Scene::full_residual(const State& state) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.size());
   for (const auto& term : terms_) {
@@ -82,10 +108,21 @@ Eigen::VectorXd Scene::full_residual(const State& state) const {
   return sum;
 }
 
-LinearReport Scene::solve(double proximal, bool may_lag, Eigen::VectorXd& step) {
+LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, bool may_lag, Eigen::VectorXd& step) {
   const int first = scatter_.first_row();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns());
   right.segment(first, scatter_.rows()) = -scatter_.residual();
+  step = Eigen::VectorXd::Zero(layout_.size());
+  if (const Eigen::VectorXd gap = supports_.gap(state); gap.size() > 0) step = gap;
+  if (!step.isZero(0.0)) {
+    Eigen::VectorXd product = Eigen::VectorXd::Zero(layout_.size());
+    for (const auto& term : terms_) {
+      ProductSink sink(term->entries(), step, product);
+      term->assemble(state, tangent, sink);
+    }
+    for (int i = 0; i < layout_.size(); ++i)
+      if (const int row = numbering_.unknown(i); row >= first && row < first + scatter_.rows()) right[row] -= product[i];
+  }
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(scatter_.rows());
   for (int i = 0; i < layout_.size(); ++i)
     if (const int row = numbering_.unknown(i) - first; row >= 0 && row < scatter_.rows())
@@ -93,15 +130,14 @@ LinearReport Scene::solve(double proximal, bool may_lag, Eigen::VectorXd& step) 
   scatter_.add_diagonal(diagonal);
   Eigen::VectorXd x;
   const LinearReport report = solver_.solve(scatter_, right, x, may_lag);
-  step = Eigen::VectorXd::Zero(layout_.size());
   for (int i = 0; i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
   return report;
 }
 
 double Scene::force_residual() const {
-  // Multipliers stand last in the state vector and so have the last unknowns.
-  const int forces = std::clamp(numbering_.unknowns() - layout_.multipliers - scatter_.first_row(), 0, scatter_.rows());
+  // Pressures and multipliers stand last in the state vector and so have the last unknowns.
+  const int forces = std::clamp(numbering_.unknowns() - saddle_rows() - scatter_.first_row(), 0, scatter_.rows());
   const double squared = scatter_.residual().head(forces).squaredNorm();
   double total = 0.0;
   MPI_Allreduce(&squared, &total, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
@@ -111,6 +147,10 @@ double Scene::force_residual() const {
 Measure Scene::measure(const State& state) const {
   Measure measure;
   for (const auto& term : terms_) term->measure(state, measure);
+  if (supports_.move()) {  // the supports' forces are the load
+    const Eigen::VectorXd residual = full_residual(state);
+    for (const int entry : supports_.entries()) measure.contact_force += std::abs(residual[entry]);
+  }
   return measure;
 }
 
@@ -153,19 +193,13 @@ double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMes
 
 void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene& scene) {
   std::vector<materials::SolidLaw> laws;
-  for (const auto& layer : body.layers) {
-    laws.push_back(materials::find_tissue(layer.material).law);
-    if (!materials::is_split(laws.back()))
-      throw input::InputError(layer.material.where, "the law of layer " + layer.name + " has no split",
-                              "the mixed element needs one: neo-Hooke, Mooney-Rivlin, Ogden or Fung; bone may be \"rigid\"");
-  }
+  for (const auto& layer : body.layers) laws.push_back(materials::find_tissue(layer.material).law);
   scene.add(std::make_unique<Tissue>(scene.layout(), body, std::move(laws)));
   for (const auto& membrane : body.membranes)
     scene.add(std::make_unique<SkinMembraneTerm>(
         scene.layout(), body,
         materials::SkinMembrane{materials::find_membrane_tissue(membrane.material).law, membrane.thickness}));
-  if (description.load && description.load->skin_pressure != 0.0)
-    scene.add(std::make_unique<SkinPressureLoad>(scene.layout(), body, description.load->skin_pressure));
+  if (description.load) add_loads(*description.load, body, scene);
 }
 
 }  // namespace
@@ -174,7 +208,9 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
                  std::optional<double> prestretch) {
   const bool deformable = skin == Skin::deformable, contact = description.garment && description.contact;
   const Layout layout = make_layout(body, garment, deformable, contact);
-  Scene scene(layout, make_numbering(description, body, garment, layout));
+  Supports supports(description, body, layout);
+  Numbering numbering = make_numbering(description, body, garment, layout, supports);
+  Scene scene(layout, std::move(numbering), std::move(supports));
   if (deformable) add_body(description, body, scene);
   if (!description.garment) return scene;
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
@@ -203,6 +239,8 @@ State transfer(const State& state, const Layout& from, const Layout& to, const m
     moved.values.segment<3>(to.body(node)) =
         from.body_nodes ? Eigen::Vector3d(state.values.segment<3>(from.body(node))) : body.nodes[node];
   moved.values.segment(to.garment(0), 3 * to.garment_nodes) = state.values.segment(from.garment(0), 3 * from.garment_nodes);
+  if (from.pressures == to.pressures)
+    moved.values.segment(to.pressure(0), to.pressures) = state.values.segment(from.pressure(0), from.pressures);
   moved.values.tail(to.multipliers) = state.values.tail(from.multipliers);
   return moved;
 }

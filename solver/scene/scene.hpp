@@ -16,11 +16,12 @@ namespace snug::solver {
 /// Terms, numbering and the matrix they share. Use `make_scene`.
 class Scene {
  public:
-  Scene(const Layout& layout, Numbering numbering);
+  Scene(const Layout& layout, Numbering numbering, Supports supports = {});
 
   void add(std::unique_ptr<Term> term);
   const Layout& layout() const { return layout_; }
   const Numbering& numbering() const { return numbering_; }
+  const Supports& supports() const { return supports_; }
   const std::vector<std::unique_ptr<Term>>& terms() const { return terms_; }
   /// The term of type T, or null where the scene has none.
   template <class T>
@@ -39,9 +40,12 @@ class Scene {
   /// Residual on every entry, prescribed ones included (where it is minus the support's force).
   Eigen::VectorXd full_residual(const State& state) const;
   /// Solves tangent * step = -residual with `proximal` times the garment's proximal weights added to the diagonal;
-  /// `step` has an entry for every state entry (0 where prescribed).
-  LinearReport solve(double proximal, bool may_lag, Eigen::VectorXd& step);
+  /// `step` has an entry for every state entry. Prescribed entries take the step to their place at state.load, and the
+  /// others answer to it.
+  LinearReport solve(const State& state, Tangent tangent, double proximal, bool may_lag, Eigen::VectorXd& step);
 
+  /// Rows of pressures and multipliers: the negative pivots that a minimum on their constraints has.
+  int saddle_rows() const;
   /// Norm of the residual over force rows (N) and over gap rows (m3).
   double force_residual() const;
   Measure measure(const State& state) const;
@@ -54,6 +58,7 @@ class Scene {
 
   Layout layout_;
   Numbering numbering_;
+  Supports supports_;
   std::vector<std::unique_ptr<Term>> terms_;
   SparseScatter scatter_;
   LinearSolver solver_;

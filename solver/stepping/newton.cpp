@@ -32,15 +32,16 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
-// than multipliers), its convex part takes over.
+// than pressures and multipliers), its convex part takes over.
 LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, double proximal,
                      Eigen::VectorXd& step) {
-  if (residual > settings.convex_above) scene.assemble(state, Tangent::convex);
-  LinearReport report = scene.solve(proximal, settings.may_lag, step);
-  const bool indefinite = report.ok && report.negative_pivots > scene.layout().multipliers;
+  const Tangent tangent = residual > settings.convex_above ? Tangent::convex : Tangent::full;
+  if (tangent == Tangent::convex) scene.assemble(state, tangent);
+  LinearReport report = scene.solve(state, tangent, proximal, settings.may_lag, step);
+  const bool indefinite = report.ok && report.negative_pivots > scene.saddle_rows();
   if (!indefinite || residual > settings.convex_above) return report;
   scene.assemble(state, Tangent::convex);
-  return scene.solve(proximal, false, step);
+  return scene.solve(state, Tangent::convex, proximal, false, step);
 }
 
 // Globalisation: a step after which the residual is this many times larger is taken back and repeated with a stronger
@@ -60,8 +61,10 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   const double residual = scene.force_residual();
   c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
-  c.done = c.residual <= settings.residual && c.complementarity <= settings.complementarity &&
-           c.measure.penetration <= settings.penetration && c.measure.changed == 0;
+  const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
+  const bool in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * state.values.cwiseAbs().maxCoeff();
+  c.done = in_place && c.residual <= settings.residual && c.complementarity <= settings.complementarity &&
+           c.measure.volume_error <= settings.volume && c.measure.penetration <= settings.penetration && c.measure.changed == 0;
   return c;
 }
 

@@ -6,6 +6,7 @@
 
 #include "materials/laws/skin_membrane.hpp"
 #include "mesh/body/body_mesh.hpp"
+#include "solver/terms/facet_kind.hpp"
 #include "solver/terms/membrane_kernel.hpp"
 #include "solver/terms/term.hpp"
 
@@ -26,8 +27,8 @@ class SkinMembraneTerm : public Term {
     double weight = 0.0;  ///< rest area, m2
   };
   struct Element {
-    std::array<int, 9> nodes;
-    std::array<Point, 9> points;
+    mesh::FacetNodeNumbers nodes;
+    std::vector<Point> points;
   };
   materials::MembraneResponse response(const NodeVectors<9>& x, const Point& point) const;
   NodeVectors<9> positions(const State& state, const Element& element) const;
@@ -37,12 +38,5 @@ class SkinMembraneTerm : public Term {
   std::vector<Element> elements_;
   ElementEntries entries_;
 };
-
-/// 3 x 3 Gauss points of a facet: (xi, eta) and weight (sum 4).
-struct FacetRulePoint {
-  Eigen::Vector2d xi;
-  double weight = 0.0;
-};
-const std::array<FacetRulePoint, 9>& facet_rule();
 
 }  // namespace snug::solver

@@ -1,87 +1,51 @@
 #include "solver/terms/tabulate.hpp"
 
 #include <Eigen/Dense>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_tools.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q_cache.h>
-#include <deal.II/grid/tria.h>
 
-#include <map>
+#include <array>
 
 namespace snug::solver {
 
-namespace {
+using mesh::CellKind;
 
-using Triangulation = dealii::Triangulation<3>;
-
-// Cells keep the order of the mesh; only the corner nodes become vertices of the triangulation.
-void make_triangulation(const mesh::BodyMesh& mesh, Triangulation& triangulation) {
-  std::map<int, unsigned int> vertex;
-  std::vector<dealii::Point<3>> vertices;
-  std::vector<dealii::CellData<3>> cells(mesh.cells.size());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (int v = 0; v < 8; ++v) {
-      const int node = mesh.cells[c][18 * (v / 4) + 6 * (v / 2 % 2) + 2 * (v % 2)];
-      const auto [it, fresh] = vertex.emplace(node, static_cast<unsigned int>(vertices.size()));
-      if (fresh) vertices.emplace_back(mesh.nodes[node].x(), mesh.nodes[node].y(), mesh.nodes[node].z());
-      cells[c].vertices[v] = it->second;
-    }
-  triangulation.create_triangulation(vertices, cells, {});
-}
-
-}  // namespace
-
-HexTable tabulate_hexahedra(const mesh::BodyMesh& mesh) {
-  HexTable table;
-  if (mesh.cells.empty()) return table;
-  Triangulation triangulation;
-  make_triangulation(mesh, triangulation);
-  const dealii::FE_Q<3> element(2);
-  const auto lexicographic = dealii::FETools::hierarchic_to_lexicographic_numbering<3>(2);
-  dealii::MappingQCache<3> mapping(2);
-  mapping.initialize(triangulation, [&](const Triangulation::cell_iterator& cell) {
-    std::vector<dealii::Point<3>> support(27);
-    for (int i = 0; i < 27; ++i) {
-      const Eigen::Vector3d& x = mesh.nodes[mesh.cells[cell->index()][lexicographic[i]]];
-      support[i] = {x.x(), x.y(), x.z()};
-    }
-    return support;
-  });
-  dealii::FEValues<3> values(mapping, element, dealii::QGauss<3>(3),
-                             dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
-  const std::size_t n = mesh.cells.size();
-  table.gradient.resize(n), table.weight.resize(n), table.point.resize(n);
-  for (const auto& cell : triangulation.active_cell_iterators()) {
-    values.reinit(cell);
-    const int c = cell->index();
-    for (int q = 0; q < 27; ++q) {
-      table.weight[c][q] = values.JxW(q);
-      for (int d = 0; d < 3; ++d) table.point[c](d, q) = values.quadrature_point(q)[d];
-      for (int i = 0; i < 27; ++i)
-        for (int d = 0; d < 3; ++d) table.gradient[c](lexicographic[i], 3 * q + d) = values.shape_grad(i, q)[d];
-    }
+CellTable tabulate(const mesh::BodyMesh& mesh, int cell) {
+  const auto& rule = mesh::gauss_points(mesh.kind);
+  const auto x = mesh::cell_positions(mesh.kind, mesh.cells[cell], mesh.nodes);
+  const auto points = static_cast<Eigen::Index>(rule.size());
+  CellTable table{Eigen::MatrixXd(x.cols(), 3 * points), Eigen::VectorXd(points), Eigen::Matrix3Xd(3, points)};
+  for (Eigen::Index q = 0; q < points; ++q) {
+    const auto slopes = mesh::shape_gradients(mesh.kind, rule[q].reference);
+    const Eigen::Matrix3d jacobian = x * slopes;
+    table.gradient.middleCols<3>(3 * q) = slopes * jacobian.inverse();
+    table.weight[q] = rule[q].weight * jacobian.determinant();
+    table.point.col(q) = x * mesh::shape_values(mesh.kind, rule[q].reference);
   }
   return table;
 }
 
-const Eigen::Matrix<double, 27, 27>& gauss_to_nodes() {
-  static const Eigen::Matrix<double, 27, 27> matrix = [] {
-    const auto trilinear = [](double x, double y, double z) {
-      return Eigen::Matrix<double, 8, 1>{{1, x, y, z, x * y, y * z, x * z, x * y * z}};
+const Eigen::MatrixXd& points_to_nodes(CellKind kind) {
+  static const auto make = [](CellKind kind) -> Eigen::MatrixXd {
+    const int terms = kind == CellKind::hex27 ? 8 : 4;
+    const auto polynomials = [&](const Eigen::Vector3d& r) -> Eigen::VectorXd {
+      const double x = r.x() - 0.5, y = r.y() - 0.5, z = r.z() - 0.5;
+      return Eigen::Matrix<double, 8, 1>{{1, x, y, z, x * y, y * z, x * z, x * y * z}}.head(terms);
     };
-    Eigen::Matrix<double, 8, 27> at_points, at_nodes;
-    const double g = std::sqrt(0.6);
-    for (int i = 0; i < 27; ++i) {
-      const double x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
-      at_nodes.col(i) = trilinear(x, y, z);
-      at_points.col(i) = trilinear(g * x, g * y, g * z);
-    }
-    const Eigen::Matrix<double, 8, 8> normal = at_points * at_points.transpose();
-    return Eigen::Matrix<double, 27, 27>(at_points.transpose() * normal.inverse() * at_nodes);
-  }();
-  return matrix;
+    const auto& rule = mesh::gauss_points(kind);
+    const auto& nodes = mesh::reference_nodes(kind);
+    Eigen::MatrixXd at_points(terms, rule.size()), at_nodes(terms, nodes.size());
+    for (std::size_t q = 0; q < rule.size(); ++q) at_points.col(q) = polynomials(rule[q].reference);
+    for (std::size_t a = 0; a < nodes.size(); ++a) at_nodes.col(a) = polynomials(nodes[a]);
+    return at_points.transpose() * (at_points * at_points.transpose()).inverse() * at_nodes;
+  };
+  static const std::array matrices = {make(CellKind::hex27), make(CellKind::hex8), make(CellKind::tet10)};
+  return matrices[static_cast<int>(kind)];
+}
+
+Eigen::Matrix4Xd vertex_shapes() {
+  const auto& rule = mesh::gauss_points(CellKind::tet10);
+  Eigen::Matrix4Xd L(4, rule.size());
+  for (std::size_t q = 0; q < rule.size(); ++q) L.col(q) << 1.0 - rule[q].reference.sum(), rule[q].reference;
+  return L;
 }
 
 }  // namespace snug::solver

@@ -1,25 +1,25 @@
-// Shape functions, gradients and weights of the reference body, tabulated once by deal.II.
+// Gradients and weights of a cell of the reference body (isoparametric), and what carries point values to nodes.
 #pragma once
 
 #include <Eigen/Core>
-
-#include <vector>
 
 #include "mesh/body/body_mesh.hpp"
 
 namespace snug::solver {
 
-/// Per cell of the mesh, at the 27 Gauss points of the reference body; nodes in the mesh's tensor order.
-struct HexTable {
-  std::vector<Eigen::Matrix<double, 27, 81>> gradient;  ///< node a, column 3 q + J, 1/m
-  std::vector<Eigen::Matrix<double, 27, 1>> weight;     ///< m3
-  std::vector<Eigen::Matrix<double, 3, 27>> point;      ///< m
+/// At the Gauss points of one cell of the reference body.
+struct CellTable {
+  Eigen::MatrixXd gradient;   ///< nodes x 3 points: node a, column 3 q + J, 1/m
+  Eigen::VectorXd weight;     ///< m3
+  Eigen::Matrix3Xd point;     ///< m
 };
-/// deal.II's FE_Q(2) on its MappingQCache through the mesh's own nodes (isoparametric).
-HexTable tabulate_hexahedra(const mesh::BodyMesh& mesh);
+CellTable tabulate(const mesh::BodyMesh& mesh, int cell);
 
-/// Values at the 27 nodes from values at the 27 Gauss points, 27 x 27 (point, node): the trilinear least-squares fit,
-/// which does not overshoot as the full extrapolation does.
-const Eigen::Matrix<double, 27, 27>& gauss_to_nodes();
+/// Values at the nodes from values at the Gauss points, points x nodes: a least-squares fit that does not overshoot as
+/// the full extrapolation does, trilinear for the 27 points of hex27 and linear for the few of the others.
+const Eigen::MatrixXd& points_to_nodes(mesh::CellKind kind);
+
+/// Barycentric coordinates of the Gauss points of a tetrahedron, 4 x points: the shape functions of its P1 pressure.
+Eigen::Matrix4Xd vertex_shapes();
 
 }  // namespace snug::solver

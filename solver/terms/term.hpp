@@ -25,6 +25,7 @@ struct Measure {
   double complementarity = 0.0;    ///< Pa
   double penetration = 0.0;        ///< m
   double reference_pressure = 0.0; ///< Pa, mean over active nodes
+  double volume_error = 0.0;       ///< relative volume that a pressure unknown of the body misses
   int active = 0, changed = 0;     ///< contact nodes; changed in the last update
 };
 

@@ -4,65 +4,23 @@
 
 #include <cmath>
 
+#include "solver/terms/inversion.hpp"
 #include "solver/terms/parallel.hpp"
+#include "solver/terms/pressure_unknowns.hpp"
 #include "solver/terms/tabulate.hpp"
 
 namespace snug::solver {
 
-struct Tissue::Slot {
-  Eigen::Matrix<double, 81, 1> residual;
-  Eigen::Matrix<double, 81, 81, Eigen::RowMajor> matrix;
+class Tissue::Kernel {
+ public:
+  virtual ~Kernel() = default;
+  virtual double energy(const State& state) const = 0;
+  virtual bool assemble(const State& state, bool tangent, Sink& sink) const = 0;
+  virtual double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const = 0;
+  virtual double volume_error(const State& state) const = 0;
+  virtual Eigen::Matrix<double, 6, Eigen::Dynamic> nodal_stress(const State& state, int cell) const = 0;
+  ElementEntries entries;
 };
-
-Tissue::Tissue(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<materials::SolidLaw> laws)
-    : layout_(layout), laws_(std::move(laws)) {
-  const HexTable table = tabulate_hexahedra(mesh);
-  cells_.resize(mesh.cells.size());
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    Cell& cell = cells_[c];
-    cell.nodes = mesh.cells[c];
-    cell.law = &laws_[mesh.cell_layer[c]];
-    cell.gradient = table.gradient[c];
-    cell.weight = table.weight[c];
-    Eigen::Vector3d centre = table.point[c] * cell.weight / cell.weight.sum();
-    const double size = std::cbrt(cell.weight.sum());
-    cell.mode.row(0).setOnes();
-    cell.mode.bottomRows<3>() = (table.point[c].colwise() - centre) / size;
-    cell.mass_inverse = Eigen::Matrix4d(cell.mode * cell.weight.asDiagonal() * cell.mode.transpose()).inverse();
-    std::array<int, 81> entries{};
-    for (int a = 0; a < 27; ++a)
-      for (int i = 0; i < 3; ++i) entries[3 * a + i] = layout.body(cell.nodes[a], i);
-    entries_.push(entries);
-  }
-}
-
-Eigen::Matrix<double, 3, 27> Tissue::positions(const Eigen::VectorXd& values, const Cell& cell) const {
-  Eigen::Matrix<double, 3, 27> x;
-  for (int a = 0; a < 27; ++a) x.col(a) = values.segment<3>(layout_.body(cell.nodes[a]));
-  return x;
-}
-
-bool Tissue::kinematics(const State& state, const Cell& cell, Kinematics& k) const {
-  const Eigen::Matrix<double, 3, 81> F = positions(state.values, cell) * cell.gradient;
-  for (int q = 0; q < points; ++q) {
-    k.F[q] = F.middleCols<3>(3 * q);
-    k.J[q] = k.F[q].determinant();
-    if (!(k.J[q] > 0.0)) return false;
-    k.cofactor[q] = k.J[q] * k.F[q].inverse().transpose();
-  }
-  k.averaged = cell.mode.transpose() * (cell.mass_inverse * (cell.mode * cell.weight.cwiseProduct(k.J)));
-  if (!(k.averaged.minCoeff() > 0.0)) return false;
-  Eigen::Matrix<double, 27, 1> pressure;
-  k.volumetric_energy = 0.0;
-  for (int q = 0; q < points; ++q) {
-    const auto v = materials::volumetric(*cell.law, k.averaged[q]);
-    k.volumetric_energy += cell.weight[q] * v.energy;
-    pressure[q] = v.pressure;
-    k.modulus[q] = v.modulus;
-  }
-  k.pressure = cell.mode.transpose() * (cell.mass_inverse * (cell.mode * cell.weight.cwiseProduct(pressure)));
-  return true;
-}
 
 namespace {
 
@@ -75,134 +33,300 @@ void add_cofactor_derivative(const Eigen::Matrix3d& cofactor, double J, double p
           A(3 * i + a, 3 * k + b) += p / J * (cofactor(i, a) * cofactor(k, b) - cofactor(i, b) * cofactor(k, a));
 }
 
-}  // namespace
-
-void Tissue::residual_and_tangent(const Cell& cell, const Kinematics& k, bool tangent, Slot& slot) const {
-  Eigen::Matrix<double, 3, 81> stress;                                  // weighted P of all points
-  std::array<std::array<Eigen::Matrix3d, 9>, points> A;                 // weighted blocks (i, k) of the tangent
-  for (int q = 0; q < points; ++q) {
-    const auto iso = materials::isochoric(*cell.law, k.F[q]);
-    stress.middleCols<3>(3 * q) = cell.weight[q] * (iso.stress + k.pressure[q] * k.cofactor[q]);
-    if (!tangent) continue;
-    Eigen::Matrix<double, 9, 9> full = iso.tangent;
-    add_cofactor_derivative(k.cofactor[q], k.J[q], k.pressure[q], full);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) A[q][3 * i + j] = cell.weight[q] * full.block<3, 3>(3 * i, 3 * j);
+// J with U'(J) = p: Newton's method from J = 1, at most tenfold less a step.
+double dilatation(const materials::SolidLaw& law, double p) {
+  double J = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const auto v = materials::volumetric(law, J);
+    const double next = std::max(0.1 * J, J - (v.pressure - p) / v.modulus);
+    const bool done = std::abs(next - J) <= 1e-15 * J;
+    J = next;
+    if (done) break;
   }
-  Eigen::Map<Eigen::Matrix<double, 3, 27>>(slot.residual.data()) = stress * cell.gradient.transpose();
-  if (!tangent) return;
+  return J;
+}
 
-  Eigen::Matrix<double, 27, 27> block;
-  static thread_local Eigen::Matrix<double, 81, 27> right;
-  for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) {
-      for (int q = 0; q < points; ++q)
-        right.middleRows<3>(3 * q).noalias() = A[q][3 * i + j] * cell.gradient.middleCols<3>(3 * q).transpose();
-      block.noalias() = cell.gradient * right;
+/// Cells of `nodes` nodes and `points` quadrature points, with `modes` condensed pressures or `vertices` pressure
+/// unknowns in each.
+template <int nodes, int points, int modes, int vertices>
+class CellKernel final : public Tissue::Kernel {
+  static constexpr int positions = 3 * nodes, size = positions + vertices, fields = modes + vertices;
+  using PointValues = Eigen::Matrix<double, points, 1>;
+  using Fields = Eigen::Matrix<double, fields, fields>;
+
+  struct Cell {
+    std::array<int, size> entry;
+    const materials::SolidLaw* law;
+    bool split;
+    Eigen::Matrix<double, nodes, 3 * points> gradient;  ///< node a, column 3 q + J, 1/m
+    PointValues weight;                                 ///< m3
+    Eigen::Matrix<double, fields, points> mode;         ///< phi_m or L_v at the points
+    Fields mass_inverse;
+  };
+  struct Kinematics {
+    std::array<Eigen::Matrix3d, points> F, cofactor;
+    PointValues J, dilatation, pressure, modulus;
+    double volumetric_energy = 0.0;
+  };
+  struct Slot {
+    Eigen::Matrix<double, size, 1> residual;
+    Eigen::Matrix<double, size, size, Eigen::RowMajor> matrix;
+  };
+  struct Point {
+    double energy;
+    Eigen::Matrix3d stress;
+    Eigen::Matrix<double, 9, 9> tangent;
+  };
+
+ public:
+  CellKernel(const Layout& layout, const mesh::BodyMesh& mesh, const std::vector<materials::SolidLaw>& laws)
+      : to_nodes_(points_to_nodes(mesh.kind)) {
+    const PressureUnknowns unknowns = pressure_unknowns(mesh);
+    cells_.resize(mesh.cells.size());
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      Cell& cell = cells_[c];
+      const CellTable table = tabulate(mesh, static_cast<int>(c));
+      cell.law = &laws[mesh.cell_layer[c]];
+      cell.split = materials::is_split(*cell.law);
+      cell.gradient = table.gradient, cell.weight = table.weight;
       for (int a = 0; a < nodes; ++a)
-        for (int b = 0; b < nodes; ++b) {
-          slot.matrix(3 * a + i, 3 * b + j) = block(a, b);
-          slot.matrix(3 * b + j, 3 * a + i) = block(a, b);
+        for (int i = 0; i < 3; ++i) cell.entry[3 * a + i] = layout.body(mesh.cells[c][a], i);
+      for (int v = 0; v < vertices; ++v) cell.entry[positions + v] = layout.pressure(unknowns.of_cell[c][v]);
+      entries.push(cell.entry);
+      if constexpr (vertices > 0) {
+        cell.mode = vertex_shapes();
+      } else {
+        const Eigen::Vector3d centre = table.point * cell.weight / cell.weight.sum();
+        cell.mode.row(0).setOnes();
+        if constexpr (modes > 1)
+          cell.mode.template bottomRows<3>() = (table.point.colwise() - centre) / std::cbrt(cell.weight.sum());
+      }
+      cell.mass_inverse = Fields(cell.mode * cell.weight.asDiagonal() * cell.mode.transpose()).inverse();
+    }
+  }
+
+  double energy(const State& state) const override {
+    double sum = 0.0;
+    Kinematics k;
+    for (const Cell& cell : cells_) {
+      if (!kinematics(state, cell, k)) return std::numeric_limits<double>::infinity();
+      sum += k.volumetric_energy;
+      for (int q = 0; q < points; ++q) sum += cell.weight[q] * point(cell, k, q, false).energy;
+    }
+    return state.stiffening * sum;
+  }
+
+  bool assemble(const State& state, bool tangent, Sink& sink) const override {
+    std::vector<Slot> slots(64);
+    const auto compute = [&](int e, Slot& slot) {
+      Kinematics k;
+      if (!kinematics(state, cells_[e], k)) return false;
+      residual_and_tangent(cells_[e], k, tangent, slot);
+      if (state.stiffening != 1.0) slot.residual *= state.stiffening, slot.matrix *= state.stiffening;
+      return slot.residual.allFinite();
+    };
+    return for_elements(static_cast<int>(cells_.size()), slots, compute, [&](int e, Slot& slot) {
+      sink.add(e, {slot.residual.data(), size},
+               tangent ? std::span<const double>(slot.matrix.data(), size * size) : std::span<const double>());
+    });
+  }
+
+  double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override {
+    double bound = limit;
+    for (const Cell& cell : cells_) {
+      const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * cell.gradient;
+      const Eigen::Matrix<double, 3, 3 * points> dF = vectors(direction, cell) * cell.gradient;
+      for (int q = 0; q < points; ++q) {
+        const double root = first_inversion(F.template middleCols<3>(3 * q), dF.template middleCols<3>(3 * q), limit);
+        if (root < limit) bound = std::min(bound, 0.9 * root);
+      }
+    }
+    return bound;
+  }
+
+  /// Largest relative volume by which a pressure unknown is missed.
+  double volume_error(const State& state) const override {
+    if constexpr (vertices == 0) return 0.0;
+    Eigen::VectorXd missed = Eigen::VectorXd::Zero(state.values.size()), volume = missed;
+    Kinematics k;
+    for (const Cell& cell : cells_) {
+      if (!cell.split || !kinematics(state, cell, k)) continue;
+      for (int v = 0; v < vertices; ++v)
+        for (int q = 0; q < points; ++q) {
+          const double w = cell.mode(v, q) * cell.weight[q];
+          missed[cell.entry[positions + v]] += w * (k.J[q] - k.dilatation[q]);
+          volume[cell.entry[positions + v]] += w;
         }
     }
-  Eigen::Matrix<double, 4, 81> D = Eigen::Matrix<double, 4, 81>::Zero();
-  for (int q = 0; q < points; ++q) {
-    const Eigen::Matrix<double, 3, 27> g = k.cofactor[q] * cell.gradient.middleCols<3>(3 * q).transpose();
-    D += cell.weight[q] * cell.mode.col(q) * Eigen::Map<const Eigen::Matrix<double, 1, 81>>(g.data());
+    return (volume.array() > 0.0).select(missed.cwiseAbs().cwiseQuotient(volume), 0.0).maxCoeff();
   }
-  const Eigen::Matrix4d H = cell.mode * cell.weight.cwiseProduct(k.modulus).asDiagonal() * cell.mode.transpose();
-  const Eigen::Matrix4d middle = cell.mass_inverse * H * cell.mass_inverse;
-  slot.matrix.noalias() += D.transpose() * (middle * D);
-}
 
-bool Tissue::assemble(const State& state, Tangent tangent, Sink& sink) const {
-  std::vector<Slot> slots(64);
-  const auto compute = [&](int e, Slot& slot) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> nodal_stress(const State& state, int index) const override {
+    const Cell& cell = cells_[index];
     Kinematics k;
-    if (!kinematics(state, cells_[e], k)) return false;
-    residual_and_tangent(cells_[e], k, wanted(tangent), slot);
-    if (state.stiffening != 1.0) slot.residual *= state.stiffening, slot.matrix *= state.stiffening;
-    return slot.residual.allFinite();
-  };
-  return for_elements(cells(), slots, compute, [&](int e, Slot& slot) {
-    sink.add(e, {slot.residual.data(), 81},
-             wanted(tangent) ? std::span<const double>(slot.matrix.data(), 81 * 81) : std::span<const double>());
-  });
-}
-
-double Tissue::energy(const State& state) const {
-  double sum = 0.0;
-  Kinematics k;
-  for (const Cell& cell : cells_) {
-    if (!kinematics(state, cell, k)) return std::numeric_limits<double>::infinity();
-    sum += k.volumetric_energy;
-    for (int q = 0; q < points; ++q) sum += cell.weight[q] * materials::isochoric(*cell.law, k.F[q]).energy;
-  }
-  return state.stiffening * sum;
-}
-
-namespace {
-
-// First root in (0, limit] of det(F + a dF) = 0.05 det F, a cubic in a; `limit` when there is none.
-double first_root(const Eigen::Matrix3d& F, const Eigen::Matrix3d& dF, double limit) {
-  const double c0 = F.determinant(), c3 = dF.determinant();
-  const double at_plus = (F + dF).determinant(), at_minus = (F - dF).determinant();
-  const double c2 = 0.5 * (at_plus + at_minus) - c0, c1 = 0.5 * (at_plus - at_minus) - c3;
-  const auto value = [&](double a) { return 0.95 * c0 + a * (c1 + a * (c2 + a * c3)); };
-  std::array<double, 3> ends = {limit, limit, limit};  // extrema split the interval into monotone pieces
-  const double discriminant = c2 * c2 - 3.0 * c1 * c3;
-  if (std::abs(c3) > 1e-300 && discriminant >= 0.0) {
-    const double root = std::sqrt(discriminant);
-    ends[0] = std::min((-c2 - root) / (3.0 * c3), (-c2 + root) / (3.0 * c3));
-    ends[1] = std::max((-c2 - root) / (3.0 * c3), (-c2 + root) / (3.0 * c3));
-  } else if (std::abs(c2) > 1e-300) {
-    ends[0] = -c1 / (2.0 * c2);
-  }
-  double begin = 0.0;
-  for (double end : ends) {
-    end = std::clamp(end, begin, limit);
-    if (value(end) < 0.0) {
-      for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (begin + end);
-        (value(middle) < 0.0 ? end : begin) = middle;
-      }
-      return begin;
+    if (!kinematics(state, cell, k))
+      return Eigen::Matrix<double, 6, nodes>::Constant(std::numeric_limits<double>::quiet_NaN());
+    Eigen::Matrix<double, 6, points> at_points;
+    for (int q = 0; q < points; ++q) {
+      const Eigen::Matrix3d s = point(cell, k, q, false).stress * k.F[q].transpose() / k.J[q];
+      at_points.col(q) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
     }
-    begin = end;
+    return at_points * to_nodes_;
   }
-  return limit;
+
+ private:
+  Eigen::Matrix<double, 3, nodes> vectors(const Eigen::VectorXd& values, const Cell& cell) const {
+    Eigen::Matrix<double, 3, nodes> x;
+    for (int a = 0; a < nodes; ++a) x.col(a) = values.segment<3>(cell.entry[3 * a]);
+    return x;
+  }
+
+  PointValues project(const Cell& cell, const PointValues& values) const {
+    return cell.mode.transpose() * (cell.mass_inverse * (cell.mode * cell.weight.cwiseProduct(values)));
+  }
+
+  bool kinematics(const State& state, const Cell& cell, Kinematics& k) const {
+    const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * cell.gradient;
+    for (int q = 0; q < points; ++q) {
+      k.F[q] = F.template middleCols<3>(3 * q);
+      k.J[q] = k.F[q].determinant();
+      if (!(k.J[q] > 0.0)) return false;
+      k.cofactor[q] = k.J[q] * k.F[q].inverse().transpose();
+    }
+    k.volumetric_energy = 0.0;
+    return !cell.split || (vertices > 0 ? given_pressure(state, cell, k) : condensed_pressure(cell, k));
+  }
+
+  bool given_pressure(const State& state, const Cell& cell, Kinematics& k) const {
+    Eigen::Matrix<double, fields, 1> at_vertices;
+    for (int v = 0; v < vertices; ++v) at_vertices[v] = state.values[cell.entry[positions + v]];
+    k.pressure = cell.mode.transpose() * at_vertices;
+    for (int q = 0; q < points; ++q) {
+      k.dilatation[q] = dilatation(*cell.law, k.pressure[q]);
+      const auto v = materials::volumetric(*cell.law, k.dilatation[q]);
+      k.volumetric_energy += cell.weight[q] * (v.energy + k.pressure[q] * (k.J[q] - k.dilatation[q]));
+      k.modulus[q] = v.modulus;
+    }
+    return true;
+  }
+
+  bool condensed_pressure(const Cell& cell, Kinematics& k) const {
+    k.dilatation = project(cell, k.J);
+    if (!(k.dilatation.minCoeff() > 0.0)) return false;
+    PointValues pressure;
+    for (int q = 0; q < points; ++q) {
+      const auto v = materials::volumetric(*cell.law, k.dilatation[q]);
+      k.volumetric_energy += cell.weight[q] * v.energy;
+      pressure[q] = v.pressure;
+      k.modulus[q] = v.modulus;
+    }
+    k.pressure = project(cell, pressure);
+    return true;
+  }
+
+  /// Energy, P and tangent of a point; the energy of a split law without its volumetric part.
+  Point point(const Cell& cell, const Kinematics& k, int q, bool tangent) const {
+    if (!cell.split) {
+      const auto r = materials::coupled(*cell.law, k.F[q]);
+      return {r.energy, r.stress, r.tangent};
+    }
+    const auto iso = materials::isochoric(*cell.law, k.F[q]);
+    Point p{iso.energy, iso.stress + k.pressure[q] * k.cofactor[q], iso.tangent};
+    if (tangent) add_cofactor_derivative(k.cofactor[q], k.J[q], k.pressure[q], p.tangent);
+    return p;
+  }
+
+  void residual_and_tangent(const Cell& cell, const Kinematics& k, bool tangent, Slot& slot) const {
+    Eigen::Matrix<double, 3, 3 * points> stress;               // weighted P of all points
+    std::array<std::array<Eigen::Matrix3d, 9>, points> A;      // weighted blocks (i, k) of the tangent
+    for (int q = 0; q < points; ++q) {
+      const Point p = point(cell, k, q, tangent);
+      stress.template middleCols<3>(3 * q) = cell.weight[q] * p.stress;
+      for (int i = 0; i < 3 && tangent; ++i)
+        for (int j = 0; j < 3; ++j) A[q][3 * i + j] = cell.weight[q] * p.tangent.template block<3, 3>(3 * i, 3 * j);
+    }
+    Eigen::Map<Eigen::Matrix<double, 3, nodes>>(slot.residual.data()) = stress * cell.gradient.transpose();
+    if (vertices > 0) slot.residual.template tail<vertices>().setZero();
+    if (tangent) displacement_tangent(cell, A, slot);
+    if (cell.split) pressure_parts(cell, k, tangent, slot);
+  }
+
+  void displacement_tangent(const Cell& cell, const std::array<std::array<Eigen::Matrix3d, 9>, points>& A,
+                            Slot& slot) const {
+    if (vertices > 0) slot.matrix.template rightCols<vertices>().setZero();
+    if (vertices > 0) slot.matrix.template bottomRows<vertices>().setZero();
+    Eigen::Matrix<double, nodes, nodes> block;
+    static thread_local Eigen::Matrix<double, 3 * points, nodes> right;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        for (int q = 0; q < points; ++q)
+          right.template middleRows<3>(3 * q).noalias() =
+              A[q][3 * i + j] * cell.gradient.template middleCols<3>(3 * q).transpose();
+        block.noalias() = cell.gradient * right;
+        for (int a = 0; a < nodes; ++a)
+          for (int b = 0; b < nodes; ++b) {
+            slot.matrix(3 * a + i, 3 * b + j) = block(a, b);
+            slot.matrix(3 * b + j, 3 * a + i) = block(a, b);
+          }
+      }
+  }
+
+  /// What ties the pressure to the volume: condensed into the displacements, or its own rows.
+  void pressure_parts(const Cell& cell, const Kinematics& k, bool tangent, Slot& slot) const {
+    if (vertices > 0)
+      slot.residual.template tail<vertices>() =
+          (cell.mode * cell.weight.cwiseProduct(k.J - k.dilatation)).template tail<vertices>();
+    if (!tangent) return;
+    Eigen::Matrix<double, fields, positions> D = Eigen::Matrix<double, fields, positions>::Zero();
+    for (int q = 0; q < points; ++q) {
+      const Eigen::Matrix<double, 3, nodes> g = k.cofactor[q] * cell.gradient.template middleCols<3>(3 * q).transpose();
+      D += cell.weight[q] * cell.mode.col(q) * Eigen::Map<const Eigen::Matrix<double, 1, positions>>(g.data());
+    }
+    if constexpr (vertices > 0) {
+      slot.matrix.template bottomLeftCorner<vertices, positions>() = D;
+      slot.matrix.template topRightCorner<positions, vertices>() = D.transpose();
+      slot.matrix.template bottomRightCorner<vertices, vertices>() =
+          -cell.mode * cell.weight.cwiseQuotient(k.modulus).asDiagonal() * cell.mode.transpose();
+    } else {
+      const Fields H = cell.mode * cell.weight.cwiseProduct(k.modulus).asDiagonal() * cell.mode.transpose();
+      const Fields middle = cell.mass_inverse * H * cell.mass_inverse;
+      slot.matrix.noalias() += D.transpose() * (middle * D);
+    }
+  }
+
+  Eigen::Matrix<double, points, nodes> to_nodes_;
+  std::vector<Cell> cells_;
+};
+
+std::unique_ptr<Tissue::Kernel> make_kernel(const Layout& layout, const mesh::BodyMesh& mesh,
+                                            const std::vector<materials::SolidLaw>& laws) {
+  switch (mesh.kind) {
+    case mesh::CellKind::hex27: return std::make_unique<CellKernel<27, 27, 4, 0>>(layout, mesh, laws);
+    case mesh::CellKind::hex8: return std::make_unique<CellKernel<8, 8, 1, 0>>(layout, mesh, laws);
+    case mesh::CellKind::tet10: return std::make_unique<CellKernel<10, 14, 0, 4>>(layout, mesh, laws);
+  }
+  return nullptr;
 }
 
 }  // namespace
 
-double Tissue::step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const {
-  double bound = limit;
-  for (const Cell& cell : cells_) {
-    const Eigen::Matrix<double, 3, 81> F = positions(state.values, cell) * cell.gradient;
-    const Eigen::Matrix<double, 3, 81> dF = positions(direction, cell) * cell.gradient;
-    for (int q = 0; q < points; ++q) {
-      const double root = first_root(F.middleCols<3>(3 * q), dF.middleCols<3>(3 * q), limit);
-      if (root < limit) bound = std::min(bound, 0.9 * root);
-    }
-  }
-  return bound;
-}
+Tissue::Tissue(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<materials::SolidLaw> laws)
+    : laws_(std::move(laws)), kernel_(make_kernel(layout, mesh, laws_)) {}
+Tissue::~Tissue() = default;
 
-std::array<Eigen::Matrix<double, 6, 1>, 27> Tissue::nodal_stress(const State& state, int index) const {
-  const Cell& cell = cells_[index];
-  Kinematics k;
-  std::array<Eigen::Matrix<double, 6, 1>, 27> at_nodes;
-  for (auto& s : at_nodes) s.setConstant(std::numeric_limits<double>::quiet_NaN());
-  if (!kinematics(state, cell, k)) return at_nodes;
-  Eigen::Matrix<double, 6, 27> at_points;
-  for (int q = 0; q < points; ++q) {
-    const auto iso = materials::isochoric(*cell.law, k.F[q]);
-    const Eigen::Matrix3d s = (iso.stress + k.pressure[q] * k.cofactor[q]) * k.F[q].transpose() / k.J[q];
-    at_points.col(q) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
-  }
-  const Eigen::Matrix<double, 6, 27> extrapolated = at_points * gauss_to_nodes();
-  for (int a = 0; a < 27; ++a) at_nodes[a] = extrapolated.col(a);
-  return at_nodes;
+const ElementEntries& Tissue::entries() const { return kernel_->entries; }
+double Tissue::energy(const State& state) const { return kernel_->energy(state); }
+bool Tissue::assemble(const State& state, Tangent tangent, Sink& sink) const {
+  return kernel_->assemble(state, wanted(tangent), sink);
+}
+double Tissue::step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const {
+  return kernel_->step_bound(state, direction, limit);
+}
+void Tissue::measure(const State& state, Measure& measure) const {
+  measure.volume_error = std::max(measure.volume_error, kernel_->volume_error(state));
+}
+Eigen::Matrix<double, 6, Eigen::Dynamic> Tissue::nodal_stress(const State& state, int cell) const {
+  return kernel_->nodal_stress(state, cell);
 }
 
 }  // namespace snug::solver

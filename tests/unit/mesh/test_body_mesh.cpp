@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "mesh/body/hex27.hpp"
 #include "tests/unit/mesh/bodies.hpp"
 
 namespace snug::mesh {
@@ -13,10 +12,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::array<Eigen::Vector3d, 27> positions(const BodyMesh& mesh, int cell) {
-  std::array<Eigen::Vector3d, 27> x;
-  for (int n = 0; n < 27; ++n) x[n] = mesh.nodes[mesh.cells[cell][n]];
-  return x;
+CellPositions positions(const BodyMesh& mesh, int cell) {
+  return cell_positions(mesh.kind, mesh.cells[cell], mesh.nodes);
 }
 
 TEST(BodyMesh, LayerVolumesOfACylinderAreThoseOfItsRings) {
@@ -34,18 +31,18 @@ TEST(BodyMesh, LayerVolumesOfACylinderAreThoseOfItsRings) {
 TEST(BodyMesh, EveryCellHasAPositiveJacobianAtGaussPointsAndNodes) {
   const BodyMesh mesh = make_body_mesh(layered_spec(), ellipse());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for (const auto& sample : hex27_samples())
-      ASSERT_GT(hex27_jacobian(positions(mesh, static_cast<int>(c)), sample.reference).determinant(), 0.0);
+    for (const auto& sample : check_points(mesh.kind))
+      ASSERT_GT(jacobian(mesh.kind, positions(mesh, static_cast<int>(c)), sample.reference).determinant(), 0.0);
 }
 
 TEST(BodyMesh, IRunsRoundJUpAndKOutwards) {
   const BodyMesh mesh = make_body_mesh(layered_spec(), cylinder());
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const auto x = positions(mesh, static_cast<int>(c));
-    const Eigen::Vector3d outward = x[13].cwiseProduct(Eigen::Vector3d(1, 1, 0)).normalized();
-    EXPECT_GT((x[22] - x[4]).dot(outward), 0.0);
-    EXPECT_GT((x[16] - x[10]).z(), 0.0);
-    EXPECT_GT(Eigen::Vector3d::UnitZ().cross(outward).dot(x[14] - x[12]), 0.0);
+    const Eigen::Vector3d outward = x.col(13).cwiseProduct(Eigen::Vector3d(1, 1, 0)).normalized();
+    EXPECT_GT((x.col(22) - x.col(4)).dot(outward), 0.0);
+    EXPECT_GT((x.col(16) - x.col(10)).z(), 0.0);
+    EXPECT_GT(Eigen::Vector3d::UnitZ().cross(outward).dot(x.col(14) - x.col(12)), 0.0);
   }
 }
 
@@ -82,10 +79,11 @@ TEST(BodyMesh, BoneAndCutPlanesHoldExactlyTheirNodes) {
   const BodyMesh mesh = make_body_mesh(layered_spec(), cylinder());
   EXPECT_EQ(mesh.bone_nodes.size(), 32u * 13);
   for (int node : mesh.bone_nodes) EXPECT_NEAR(mesh.nodes[node].head<2>().norm(), 0.015, 1e-15);
-  EXPECT_EQ(mesh.lower_nodes.size(), 32u * 7);
-  EXPECT_EQ(mesh.upper_nodes.size(), 32u * 7);
-  for (int node : mesh.lower_nodes) EXPECT_EQ(mesh.nodes[node].z(), 0.0);
-  for (int node : mesh.upper_nodes) EXPECT_EQ(mesh.nodes[node].z(), 0.2);
+  const auto &lower = mesh.surface("lower")->nodes, &upper = mesh.surface("upper")->nodes;
+  EXPECT_EQ(lower.size(), 32u * 7);
+  EXPECT_EQ(upper.size(), 32u * 7);
+  for (int node : lower) EXPECT_EQ(mesh.nodes[node].z(), 0.0);
+  for (int node : upper) EXPECT_EQ(mesh.nodes[node].z(), 0.2);
   EXPECT_NEAR(mesh.mean_skin_cell, 0.5 * (0.2 / 6 + 0.1 * std::sin(pi / 16)), 1e-12);
 }
 

@@ -1,9 +1,8 @@
-#include "solver/terms/skin_pressure_load.hpp"
+#include "solver/terms/pressure_load.hpp"
 
 #include <Eigen/Dense>
 
-#include "solver/terms/facet.hpp"
-#include "solver/terms/skin_membrane_term.hpp"
+#include "solver/terms/facet_kind.hpp"
 
 namespace snug::solver {
 
@@ -15,32 +14,26 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-FacetNodes facet_nodes(const State& state, const Layout& layout, const std::array<int, 9>& nodes) {
-  FacetNodes x;
-  for (int a = 0; a < 9; ++a) x.col(a) = state.values.segment<3>(layout.body(nodes[a]));
-  return x;
-}
-
 }  // namespace
 
-SkinPressureLoad::SkinPressureLoad(const Layout& layout, const mesh::BodyMesh& mesh, double pressure)
-    : layout_(layout), pressure_(pressure), facets_(mesh.skin_facets) {
-  for (const auto& nodes : facets_) {
-    std::array<int, 27> entries{};
-    for (int a = 0; a < 9; ++a)
-      for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.body(nodes[a], c);
-    entries_.push(entries);
-  }
+PressureLoad::PressureLoad(const Layout& layout, const mesh::BodyMesh& mesh, std::string name,
+                           std::vector<mesh::FacetNodeNumbers> facets, double pressure)
+    : layout_(layout),
+      name_(std::move(name)),
+      kind_(facet_kind(mesh.kind)),
+      facets_(std::move(facets)),
+      pressure_(pressure) {
+  for (const auto& facet : facets_) entries_.push(facet_entries(layout, facet));
 }
 
-bool SkinPressureLoad::assemble(const State& state, Tangent tangent, Sink& sink) const {
+bool PressureLoad::assemble(const State& state, Tangent tangent, Sink& sink) const {
   Eigen::Matrix<double, 27, 1> residual;
   Eigen::Matrix<double, 27, 27, Eigen::RowMajor> matrix;
   for (std::size_t f = 0; f < facets_.size(); ++f) {
-    const FacetNodes x = facet_nodes(state, layout_, facets_[f]);
+    const FacetNodes x = facet_positions(state, layout_, facets_[f]);
     residual.setZero(), matrix.setZero();
-    for (const FacetRulePoint& q : facet_rule()) {
-      const FacetShape shape = facet_shape(q.xi);
+    for (const FacetRulePoint& q : facet_rule(kind_)) {
+      const FacetShape shape = facet_shape(kind_, q.xi);
       const double p = state.load * pressure_ * q.weight;
       const Eigen::Matrix<double, 3, 2> t = x * shape.dN;
       const Eigen::Vector3d n = t.col(0).cross(t.col(1));
@@ -59,11 +52,11 @@ bool SkinPressureLoad::assemble(const State& state, Tangent tangent, Sink& sink)
   return true;
 }
 
-void SkinPressureLoad::measure(const State& state, Measure& measure) const {
+void PressureLoad::measure(const State& state, Measure& measure) const {
   for (const auto& nodes : facets_) {
-    const FacetNodes x = facet_nodes(state, layout_, nodes);
-    for (const FacetRulePoint& q : facet_rule())
-      measure.contact_force += q.weight * std::abs(state.load * pressure_) * facet_point(x, facet_shape(q.xi)).area;
+    const FacetNodes x = facet_positions(state, layout_, nodes);
+    for (const FacetRulePoint& q : facet_rule(kind_))
+      measure.contact_force += q.weight * std::abs(state.load * pressure_) * facet_point(x, facet_shape(kind_, q.xi)).area;
   }
   measure.reference_pressure = std::max(measure.reference_pressure, std::abs(pressure_));
 }

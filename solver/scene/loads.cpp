@@ -1,0 +1,61 @@
+#include "solver/scene/loads.hpp"
+
+#include <fmt/format.h>
+
+#include "solver/scene/supports.hpp"
+#include "solver/terms/dead_load.hpp"
+#include "solver/terms/pressure_load.hpp"
+
+namespace snug::solver {
+
+namespace {
+
+Eigen::Vector3d vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+const std::vector<mesh::FacetNodeNumbers>& facets_of(const mesh::BodyMesh& body, const std::string& name,
+                                                     const input::Location& where) {
+  const auto& facets = named_surface(body, name, where).facets;
+  if (facets.empty())
+    throw input::InputError(where, fmt::format("\"{}\" has no facets: it is a curve, a point, or not on the boundary", name),
+                            "name a surface, or load it with a [[load.force]]");
+  return facets;
+}
+
+int nearest_node(const mesh::BodyMesh& body, const Eigen::Vector3d& point) {
+  int best = 0;
+  for (std::size_t n = 1; n < body.nodes.size(); ++n)
+    if ((body.nodes[n] - point).squaredNorm() < (body.nodes[best] - point).squaredNorm()) best = static_cast<int>(n);
+  return best;
+}
+
+void add_force(const input::Force& force, const mesh::BodyMesh& body, NodalForces& forces) {
+  const Eigen::Vector3d total = vector(force.value);
+  if (force.at) {
+    forces[nearest_node(body, vector(*force.at))] += total;
+    return;
+  }
+  const mesh::Surface& surface = named_surface(body, force.on, force.where);
+  if (!surface.facets.empty()) return add_traction(body, surface.facets, total / area(body, surface.facets), forces);
+  for (const int node : surface.nodes) forces[node] += total / static_cast<double>(surface.nodes.size());
+}
+
+}  // namespace
+
+void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {
+  if (load.skin_pressure != 0.0)
+    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, "skin", body.skin_facets, load.skin_pressure));
+  for (const auto& p : load.pressure)
+    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, p.on, facets_of(body, p.on, p.where), p.value));
+  NodalForces forces(body.nodes.size(), Eigen::Vector3d::Zero());
+  for (const auto& t : load.traction) add_traction(body, facets_of(body, t.on, t.where), vector(t.value), forces);
+  for (const auto& f : load.force) add_force(f, body, forces);
+  if (const Eigen::Vector3d gravity = vector(load.gravity); !gravity.isZero(0.0)) {
+    std::vector<double> density;
+    for (const auto& layer : body.layers) density.push_back(materials::find_tissue(layer.material).density);
+    add_weight(body, density, gravity, forces);
+  }
+  auto dead = std::make_unique<DeadLoad>(scene.layout(), forces);
+  if (dead->entries().elements() > 0) scene.add(std::move(dead));
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,72 @@
+#include "solver/scene/supports.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+
+namespace snug::solver {
+
+const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where) {
+  if (const mesh::Surface* surface = body.surface(name)) return *surface;
+  std::vector<std::string> names;
+  for (const auto& surface : body.surfaces) names.push_back(surface.name);
+  throw input::InputError(where, fmt::format("the body has no surface \"{}\"", name),
+                          fmt::format("its surfaces are {}", fmt::join(names, ", ")));
+}
+
+Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, const Layout& layout) : layout_(layout) {
+  if (layout.body_nodes == 0 || !description.body) return;
+  reference_ = body.nodes;
+  const auto fix = [&](const std::string& name, const std::vector<int>& nodes, int first) {
+    for (const int node : nodes)
+      for (int c = first; c < 3; ++c) ++prescribed_[layout.body(node, c)];
+    nodes_.emplace_back(name, nodes);
+  };
+  fix("bone", body.bone_nodes, 0);
+  const std::string& ends = description.body->ends;
+  for (const char* name : {"lower", "upper"})
+    if (const auto* cut = body.surface(name); cut && description.body->kind != "imported" && ends != "free")
+      fix(std::string(name) + " cut", cut->nodes, ends == "fixed" ? 0 : 2);
+  for (const auto& spec : description.support) hold(body, spec);
+}
+
+void Supports::hold(const mesh::BodyMesh& body, const input::SupportSpec& spec) {
+  const mesh::Surface& surface = named_surface(body, spec.on, spec.where);
+  const std::array<std::optional<double>, 3> given = {spec.x, spec.y, spec.z};
+  Moving moving{surface.nodes, Eigen::Vector3d::Zero(), spec.turn, Eigen::Vector2d::Zero(), {}};
+  for (int c = 0; c < 3; ++c) {
+    if (!given[c]) continue;
+    moving.held[c] = true, moving.displacement[c] = *given[c];
+    for (const int node : surface.nodes) ++prescribed_[layout_.body(node, c)];
+  }
+  nodes_.emplace_back(spec.on, surface.nodes);
+  if (moving.displacement.isZero(0.0) && spec.turn == 0.0) return;
+  for (const int node : surface.nodes)
+    moving.middle += body.nodes[node].head<2>() / static_cast<double>(surface.nodes.size());
+  moving_.push_back(std::move(moving));
+}
+
+std::vector<int> Supports::entries() const {
+  std::vector<int> list;
+  for (const auto& [entry, count] : prescribed_) list.push_back(entry);
+  return list;
+}
+
+Eigen::VectorXd Supports::gap(const State& state) const {
+  if (moving_.empty()) return {};
+  Eigen::VectorXd gap = Eigen::VectorXd::Zero(state.values.size());
+  for (const Moving& moving : moving_) {
+    const Eigen::Rotation2D<double> turn(state.load * moving.turn);
+    for (const int node : moving.nodes) {
+      Eigen::Vector3d target = reference_[node] + state.load * moving.displacement;
+      if (moving.turn != 0.0)
+        target.head<2>() += turn * (reference_[node].head<2>() - moving.middle) - (reference_[node].head<2>() - moving.middle);
+      for (int c = 0; c < 3; ++c)
+        if (moving.held[c]) gap[layout_.body(node, c)] = target[c] - state.values[layout_.body(node, c)];
+    }
+  }
+  return gap;
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,73 @@
+#include "solver/terms/dead_load.hpp"
+
+#include <Eigen/Geometry>
+
+#include "solver/terms/facet_kind.hpp"
+#include "solver/terms/tabulate.hpp"
+
+namespace snug::solver {
+
+void add_traction(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets,
+                  const Eigen::Vector3d& traction, NodalForces& forces) {
+  const mesh::FacetKind kind = facet_kind(mesh.kind);
+  for (const auto& facet : facets) {
+    const FacetNodes x = facet_positions(mesh, facet);
+    for (const FacetRulePoint& q : facet_rule(kind)) {
+      const FacetShape shape = facet_shape(kind, q.xi);
+      const double dA = q.weight * facet_point(x, shape).area;
+      for (int a = 0; a < node_count(kind); ++a) forces[facet[a]] += dA * shape.N[a] * traction;
+    }
+  }
+}
+
+void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, const Eigen::Vector3d& gravity,
+                NodalForces& forces) {
+  const auto& rule = mesh::gauss_points(mesh.kind);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
+    const Eigen::VectorXd weight = tabulate(mesh, static_cast<int>(c)).weight;
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      const auto N = mesh::shape_values(mesh.kind, rule[q].reference);
+      for (int a = 0; a < node_count(mesh.kind); ++a)
+        forces[mesh.cells[c][a]] += weight[q] * density[mesh.cell_layer[c]] * N[a] * gravity;
+    }
+  }
+}
+
+double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets) {
+  const mesh::FacetKind kind = facet_kind(mesh.kind);
+  double sum = 0.0;
+  for (const auto& facet : facets)
+    for (const FacetRulePoint& q : facet_rule(kind))
+      sum += q.weight * facet_point(facet_positions(mesh, facet), facet_shape(kind, q.xi)).area;
+  return sum;
+}
+
+DeadLoad::DeadLoad(const Layout& layout, const NodalForces& forces) {
+  for (std::size_t node = 0; node < forces.size(); ++node) {
+    if (forces[node].isZero(0.0)) continue;
+    forces_.push_back(forces[node]);
+    const int first = layout.body(static_cast<int>(node));
+    entries_.push(std::array{first, first + 1, first + 2});
+  }
+}
+
+double DeadLoad::energy(const State& state) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    sum -= forces_[i].dot(state.values.segment<3>(entries_.of(static_cast<int>(i))[0]));
+  return state.load * sum;
+}
+
+bool DeadLoad::assemble(const State& state, Tangent, Sink& sink) const {
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const Eigen::Vector3d residual = -state.load * forces_[i];
+    sink.add(static_cast<int>(i), {residual.data(), 3}, {});
+  }
+  return true;
+}
+
+void DeadLoad::measure(const State& state, Measure& measure) const {
+  for (const Eigen::Vector3d& force : forces_) measure.contact_force += std::abs(state.load) * force.norm();
+}
+
+}  // namespace snug::solver

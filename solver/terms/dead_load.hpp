@@ -1,0 +1,39 @@
+// Loads that keep size and direction: tractions, weight and point forces, scaled by the load parameter.
+#pragma once
+
+#include <vector>
+
+#include "mesh/body/body_mesh.hpp"
+#include "solver/terms/term.hpp"
+
+namespace snug::solver {
+
+/// Nodal forces, N, one a node of the body.
+using NodalForces = std::vector<Eigen::Vector3d>;
+
+/// Adds  int N_a t dA  over the facets of the reference body; `traction` in Pa.
+void add_traction(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets,
+                  const Eigen::Vector3d& traction, NodalForces& forces);
+/// Adds  int N_a rho g dV  ; `density[l]` of layer l in kg/m3, `gravity` in m/s2.
+void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, const Eigen::Vector3d& gravity,
+                NodalForces& forces);
+/// Area of facets of the reference body, m2.
+double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets);
+
+/// Energy  -s sum_a f_a . x_a.
+class DeadLoad : public Term {
+ public:
+  DeadLoad(const Layout& layout, const NodalForces& forces);
+
+  std::string name() const override { return "dead load"; }
+  const ElementEntries& entries() const override { return entries_; }
+  double energy(const State& state) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
+  void measure(const State& state, Measure& measure) const override;
+
+ private:
+  std::vector<Eigen::Vector3d> forces_;  ///< of the loaded nodes, one an element
+  ElementEntries entries_;
+};
+
+}  // namespace snug::solver

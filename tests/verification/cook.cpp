@@ -1,0 +1,79 @@
+// Cook's membrane and the compression of a block, in plane strain, against converged mixed finite elements.
+#include "tests/verification/blocks.hpp"
+#include "tests/verification/book.hpp"
+
+namespace snug::tests {
+namespace {
+
+const std::string source = "reference book 1.9 (s13, own p-FEM)";
+
+/// Corners (0, 0), (48, 44), (48, 60), (0, 44) mm of thickness 1 mm, one cell thick, clamped at x = 0, a dead traction
+/// force / 16 mm2 upwards on the right edge; n cells a side.
+BlockCase cook(int n, const std::string& material, double force_mN, CellKind kind = CellKind::hex27) {
+  Block block;
+  block.cells = {n, n, 1}, block.kind = kind;
+  block.map = [](const Eigen::Vector3d& u) {
+    const double low = 44.0 * u.x(), high = 44.0 + 16.0 * u.x();
+    return 1e-3 * Eigen::Vector3d(48.0 * u.x(), low + (high - low) * u.y(), u.z());
+  };
+  BlockCase c(make_block(block), {material});
+  c.hold("left", 0.0, 0.0, 0.0);
+  c.hold("back", {}, {}, 0.0), c.hold("front", {}, {}, 0.0);
+  c.traction("right", 0.0, 1e-3 * force_mN / 16e-6, 0.0);
+  return c;
+}
+
+Eigen::Vector3d corner(const BlockCase& c) { return 1e3 * solve(c).displacement(c.mesh, {48e-3, 60e-3, 0.0}); }
+
+// The same cells as the book's own program gives: its uniform meshes are met digit by digit.
+TEST(Cook, TheBooksQuadraticMeshesAreMetToTheirLastDigit) {
+  const std::string material = neo_hooke_bulk(80.1938, 400942.0);
+  for (const auto& [n, exact] : {std::pair{8, 6.90427}, {16, 6.91954}, {32, 6.92688}})
+    book("Cook A, nu = 0.4999", fmt::format("u_y(48, 60) [mm], Q2/P1 {} x {}", n, n), corner(cook(n, material, 100.0)).y(),
+         exact, 1e-5, source + ", the same mesh");
+}
+
+TEST(Cook, CompressibleAndTissueLikeMaterialsMeetTheConvergedCorner) {
+  const auto c = corner(cook(32, neo_hooke_bulk(26.25, 70.0), 5.0));
+  book("Cook C, nu = 1/3", "u_y(48, 60) [mm]", c.y(), 1.5623, 1e-3, source);
+  book("Cook C, nu = 1/3", "u_x(48, 60) [mm]", c.x(), -1.20539, 1e-3, source);
+  const auto d = corner(cook(32, neo_hooke_bulk(10.0, 496.6667), 10.0));
+  book("Cook D, nu = 0.49", "u_y(48, 60) [mm]", d.y(), 5.8225, 1e-3, source);
+  book("Cook D, nu = 0.49", "u_x(48, 60) [mm]", d.x(), -4.79771, 1e-3, source);
+}
+
+// At a thousandth of the load the answer is the linear one.
+TEST(Cook, SmallLoadsGiveTheLinearAnswer) {
+  const double E = 1.0, nu = 1.0 / 3.0, scale = 1e-4;  // E in kPa
+  const auto u = corner(cook(32, neo_hooke(E / (2.0 * (1.0 + nu)), nu), scale));
+  book("Cook, linear, nu = 1/3", "u_y(48, 60) / F", u.y() / scale, 22.589, 2e-3, source);
+}
+
+TEST(Cook, LinearHexahedraAndQuadraticTetrahedraComeToTheSameCorner) {
+  const std::string material = neo_hooke_bulk(80.1938, 400942.0);
+  book("Cook A, nu = 0.4999", "u_y(48, 60) [mm], P2/P1 tetrahedra 16 x 16 x 6",
+       corner(cook(16, material, 100.0, CellKind::tet10)).y(), 6.934, 5e-3, source);
+  book("Cook A, nu = 0.4999", "u_y(48, 60) [mm], Q1/P0 32 x 32", corner(cook(32, material, 100.0, CellKind::hex8)).y(),
+       6.934, 2e-2, source);
+}
+
+TEST(Block, CompressionMeetsTheBooksMeshAndItsConvergedValue) {
+  for (const auto& [q, exact, same_mesh] : {std::tuple{20.0, 0.0528474, 0.0528466}, {60.0, 0.150669, 0.150666},
+                                            {120.0, 0.272521, 0.272509}}) {
+    Block block;
+    block.cells = {16, 16, 1};
+    block.map = [](const Eigen::Vector3d& u) { return Eigen::Vector3d(u.x(), u.y(), 0.1 * u.z()); };
+    BlockCase c(make_block(block), {neo_hooke_bulk(80.194e-3, 400.9432687)});  // Pa
+    name_part(c.mesh, "loaded", "top", [](const Eigen::Vector3d& x) { return x.x() <= 0.5 + 1e-9; });
+    c.hold("left", 0.0, {}, {}), c.hold("bottom", {}, 0.0, {}), c.hold("top", 0.0, {}, {});
+    c.hold("back", {}, {}, 0.0), c.hold("front", {}, {}, 0.0);
+    c.traction("loaded", 0.0, -q, 0.0);
+    const double u = -solve(c).displacement(c.mesh, {0.0, 1.0, 0.0}).y();
+    book("block, nu = 0.4999", fmt::format("-u_y(0, 1) at q = {}, Q2/P1 16 x 16", q), u, same_mesh, 1e-5,
+         "reference book 1.10 (s13), the same mesh");
+    book("block, nu = 0.4999", fmt::format("-u_y(0, 1) at q = {}", q), u, exact, 1e-4, "reference book 1.10 (s13)");
+  }
+}
+
+}  // namespace
+}  // namespace snug::tests

@@ -1,0 +1,231 @@
+// Bodies under loads and moved supports against exact solutions, in every kind of cell.
+#include <Eigen/Geometry>
+
+#include "tests/verification/blocks.hpp"
+#include "tests/verification/book.hpp"
+#include "tests/verification/tube.hpp"
+
+namespace snug::tests {
+namespace {
+
+const std::array kinds = {CellKind::hex27, CellKind::hex8, CellKind::tet10};
+
+/// A ring in plane strain: u round, v outwards.
+BlockCase tube(double inner, double outer, std::array<int, 3> cells, const std::string& material, CellKind kind,
+               double length = 5e-3) {
+  Block block;
+  block.cells = cells, block.kind = kind, block.closed = true;
+  block.map = ring(inner, outer, length);
+  BlockCase c(make_block(block), {material});
+  c.hold("back", {}, {}, 0.0), c.hold("front", {}, {}, 0.0);
+  return c;
+}
+
+double mean_radius(const BlockCase& c, const BlockAnswer& a, const std::string& surface) {
+  double sum = 0.0;
+  const auto& nodes = c.mesh.surface(surface)->nodes;
+  for (const int node : nodes) sum += (c.mesh.nodes[node] + a.result.body.displacement[node]).head<2>().norm();
+  return sum / static_cast<double>(nodes.size());
+}
+
+// Reference book 1.5 A: tissue of 20 to 55 mm bonded to a rigid bone under 5 kPa; every kind of cell converges at its rate.
+TEST(BondedTube, EveryKindOfCellConvergesAtItsRate) {
+  for (const CellKind kind : kinds) {
+    std::array<double, 3> error{};
+    for (int level = 0; level < 3; ++level) {
+      BlockCase c = tube(0.020, 0.055, {12 << level, 2 << level, 1}, neo_hooke(10.0, 0.49), kind, 0.03 / (1 << level));
+      c.hold("bottom", 0.0, 0.0, 0.0);
+      c.pressure("top", 5e3);
+      error[level] = (1e3 * mean_radius(c, solve(c), "top") - 54.76269347193) / 0.23730652807;
+      fmt::print("{} level {}: {:.3e}\n", to_string(kind), level, error[level]);
+    }
+    const double rate = kind == CellKind::hex8 ? 1.7 : 2.7;  // of the displacement at the surface: at least h^2, h^3
+    EXPECT_GE(std::log2(std::abs(error[1] / error[2])), rate) << to_string(kind);
+    EXPECT_LE(std::abs(error[2]), kind == CellKind::hex8 ? 2e-2 : 1e-3) << to_string(kind);
+  }
+}
+
+TEST(BondedTube, EveryPoissonRatioAndLoadMeetsItsRow) {
+  struct Row { double nu, p, radius; };
+  for (const Row& row : {Row{0.30, 1, 54.11024944713}, Row{0.30, 5, 50.88440134396}, Row{0.30, 20, 42.69971739943},
+                         Row{0.45, 20, 50.61813944797}, Row{0.49, 20, 54.05931120938}, Row{0.499, 20, 54.90467931111},
+                         Row{0.4999, 20, 54.99045587920}, Row{0.49999, 1, 54.99995227288}, Row{0.49999, 5, 54.99976136494},
+                         Row{0.49999, 20, 54.99904546788}}) {
+    BlockCase c = tube(0.020, 0.055, {24, 4, 1}, neo_hooke(10.0, row.nu), CellKind::hex27);
+    c.hold("bottom", 0.0, 0.0, 0.0);
+    c.pressure("top", 1e3 * row.p);
+    book("tube on bone, V1", fmt::format("u_out [mm], nu = {}, p = {} kPa", row.nu, row.p),
+         1e3 * mean_radius(c, solve(c), "top") - 55.0, row.radius - 55.0, 1e-3, "reference book 1.5 A");
+  }
+}
+
+// Reference book 1.7: the same tube with a free bore, from nearly incompressible to nu = 0.49999.
+TEST(FreeBore, InnerAndOuterRadiusMeetTheirRows) {
+  struct Row { double nu, inner, outer; };
+  for (const Row& row : {Row{0.45, 18.82201552737, 54.30977046039}, Row{0.49, 18.90182893683, 54.55553441269},
+                         Row{0.499, 18.91983748883, 54.61100947384}, Row{0.4999, 18.92163918864, 54.61656007165},
+                         Row{0.49999, 18.92181924770, 54.61711512009}}) {
+    BlockCase c = tube(0.020, 0.055, {24, 4, 1}, neo_hooke(10.0, row.nu), CellKind::hex27);
+    name_nodes(c.mesh, "x axis", [](const Eigen::Vector3d& x) { return std::abs(x.y()) < 1e-9; });
+    name_nodes(c.mesh, "y axis", [](const Eigen::Vector3d& x) { return std::abs(x.x()) < 1e-9; });
+    c.hold("x axis", {}, 0.0, {}), c.hold("y axis", 0.0, {}, {});  // lines of symmetry: no rigid motion
+    c.pressure("top", 1e3);
+    const BlockAnswer a = solve(c);
+    book("tube with free bore", fmt::format("u_in [mm], nu = {}", row.nu), 1e3 * mean_radius(c, a, "bottom") - 20.0,
+         row.inner - 20.0, 2e-4, "reference book 1.7");
+    book("tube with free bore", fmt::format("u_out [mm], nu = {}", row.nu), 1e3 * mean_radius(c, a, "top") - 55.0,
+         row.outer - 55.0, 2e-4, "reference book 1.7");
+  }
+}
+
+// Reference book 1.4: pressure inside a tube of A = 10, B = 20 mm for a bore of 1.25 and 1.5 A, at axial stretch 1 and 1.2.
+TEST(Inflation, ThePressureOfAnIncompressibleTubeOpensItsBore) {
+  struct Row { double stretch, pressure, bore; };
+  for (const Row& row : {Row{1.0, 2.757115368034, 1.25}, Row{1.0, 4.282284090965, 1.5}, Row{1.2, 2.991510013633, 1.25},
+                         Row{1.2, 4.043599895351, 1.5}}) {
+    BlockCase c = tube(0.010, 0.020, {24, 8, 1}, neo_hooke(10.0, 0.49999), CellKind::hex27, 2e-3);
+    name_nodes(c.mesh, "x axis", [](const Eigen::Vector3d& x) { return std::abs(x.y()) < 1e-9; });
+    name_nodes(c.mesh, "y axis", [](const Eigen::Vector3d& x) { return std::abs(x.x()) < 1e-9; });
+    c.hold("x axis", {}, 0.0, {}), c.hold("y axis", 0.0, {}, {});
+    c.c.support[1].z = 2e-3 * (row.stretch - 1.0);
+    c.pressure("bottom", 1e3 * row.pressure);
+    book("inflated tube, nu = 0.49999", fmt::format("a / A at axial stretch {}, Pi = {:.4f} kPa", row.stretch, row.pressure),
+         mean_radius(c, solve(c), "bottom") / 0.010, row.bore, 2e-4, "reference book 1.4, incompressible");
+  }
+}
+
+// A cube of tetrahedra or hexahedra under uniform pressure shrinks alike in all directions by the law's own p(J).
+TEST(Patch, UniformPressureShrinksEveryKindOfCellAlike) {
+  for (const CellKind kind : kinds) {
+    Block block;
+    block.cells = {2, 2, 2}, block.kind = kind;
+    block.map = [](const Eigen::Vector3d& u) {  // cells that are no boxes
+      const double b = 0.05 * std::sin(std::numbers::pi * u.x()) * std::sin(std::numbers::pi * u.y()) *
+                       std::sin(std::numbers::pi * u.z());
+      return Eigen::Vector3d(u + Eigen::Vector3d(b, -b, 0.5 * b));
+    };
+    BlockCase c(make_block(block), {neo_hooke_bulk(10.0, 1000.0)});
+    c.hold("left", 0.0, {}, {}), c.hold("bottom", {}, 0.0, {}), c.hold("back", {}, {}, 0.0);
+    for (const char* face : {"right", "top", "front"}) c.pressure(face, 51315.7894737);
+    const Eigen::Vector3d u = solve(c).displacement(c.mesh, {1.0, 1.0, 1.0});
+    for (int i = 0; i < 3; ++i)
+      book("cube of " + to_string(kind) + " under pressure", fmt::format("J from u_{}", "xyz"[i]), std::pow(1.0 + u[i], 3),
+           0.95, 1e-9, "p(J) of the law: reference book 1.3, V1");
+  }
+}
+
+// A bar in tension whose middle third is up to 1e6 times stiffer: end displacement and strain of the stiff layer.
+TEST(SeriesBar, AContrastOfAMillionKeepsTheStiffLayersStrain) {
+  for (const CellKind kind : kinds)
+    for (const double contrast : {1e2, 1e4, 1e6}) {
+      Block block;
+      block.cells = {3, 1, 1}, block.kind = kind;
+      block.layers = {"soft", "stiff"};
+      block.layer = [](const Eigen::Vector3d& m) { return m.x() > 0.34 && m.x() < 0.66 ? 1 : 0; };
+      block.map = [](const Eigen::Vector3d& u) { return Eigen::Vector3d(3.0 * u.x(), u.y(), u.z()); };
+      BlockCase c(make_block(block), {neo_hooke(0.5, 0.0), neo_hooke(0.5 * contrast, 0.0)});
+      c.hold("left", 0.0, {}, {}), c.hold("bottom", {}, 0.0, {}), c.hold("back", {}, {}, 0.0);
+      c.traction("right", 1e-3, 0.0, 0.0);  // small strain: E = 1 kPa, strain 1e-6
+      const BlockAnswer a = solve(c);
+      const double end = a.displacement(c.mesh, {3, 0, 0}).x(), scale = 1e-6;
+      const double stiff = a.displacement(c.mesh, {2, 0, 0}).x() - a.displacement(c.mesh, {1, 0, 0}).x();
+      book("series bar of " + to_string(kind), fmt::format("end displacement / load, contrast {:g}", contrast), end / scale,
+           2.0 + 1.0 / contrast, 1e-5, "reference book 4 C, small strain");
+      book("series bar of " + to_string(kind), fmt::format("strain of the stiff layer, contrast {:g}", contrast),
+           stiff * contrast / scale, 1.0, 1e-5, "reference book 4 C, small strain");
+    }
+}
+
+/// 20 kPa on the bonded tube at nu = 0.3: 12.3 mm.
+BlockCase large_load() {
+  BlockCase c = tube(0.020, 0.055, {16, 2, 1}, neo_hooke(10.0, 0.3), CellKind::hex27);
+  c.hold("bottom", 0.0, 0.0, 0.0);
+  c.pressure("top", 20e3);
+  return c;
+}
+
+TEST(LargeStep, OneStepAndTwentyEndInTheSameState) {
+  const BlockCase c = large_load();
+  const BlockAnswer one = solve(c, 1.0), twenty = solve(c, 0.05);
+  const auto iterations = static_cast<int>(one.history.size());
+  fmt::print("one step: {} increments, {} rows; in steps: {} increments\n", one.path.increments, iterations,
+             twenty.path.increments);
+  EXPECT_TRUE(one.path.increments > 1 || iterations <= 12);  // few iterations, or an automatic cutback
+  EXPECT_LE((one.path.state.values - twenty.path.state.values).norm(), 1e-9 * (twenty.path.state.values).norm());
+}
+
+TEST(NewtonQuality, TheLastResidualsFallQuadratically) {
+  const BlockAnswer a = solve(large_load());
+  std::vector<double> r;  // of the last increment
+  for (const auto& row : a.history)
+    if (row.increment == a.history.back().increment) r.push_back(row.residual);
+  ASSERT_GE(r.size(), 3u);
+  double best = 0.0;  // the very last one may stand at round-off
+  for (std::size_t i = 2; i < r.size(); ++i)
+    best = std::max(best, std::log(r[i] / r[i - 1]) / std::log(r[i - 1] / r[i - 2]));
+  fmt::print("order {:.2f}\n", best);
+  EXPECT_GE(best, 1.8);
+}
+
+TEST(FrameIndifference, ATurnedSolutionIsASolution) {
+  const BlockCase c = large_load();
+  const BlockAnswer a = solve(c);
+  const mesh::GarmentMesh none;
+  solver::Scene scene = solver::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(2.0 * std::numbers::pi / 3.0, Eigen::Vector3d::Ones().normalized()).toRotationMatrix();
+  solver::State turned = a.path.state;
+  for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
+    turned.values.segment<3>(3 * static_cast<int>(node)) =
+        turn * Eigen::Vector3d(a.path.state.values.segment<3>(3 * static_cast<int>(node)));
+  Eigen::VectorXd back = scene.full_residual(turned);
+  const Eigen::VectorXd before = scene.full_residual(a.path.state);
+  for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
+    back.segment<3>(3 * static_cast<int>(node)) =
+        turn.transpose() * Eigen::Vector3d(back.segment<3>(3 * static_cast<int>(node)));
+  EXPECT_LE((back - before).norm(), 1e-10 * before.norm());
+}
+
+// A cantilever ten times as long as deep, four cells along: no locking from nu = 0.499 to 0.49999.
+TEST(Cantilever, ACoarseMeshDoesNotLock) {
+  for (const CellKind kind : kinds) {
+    std::array<double, 2> tip{};
+    for (int i = 0; i < 2; ++i) {
+      Block block;
+      block.cells = {4, 1, 1}, block.kind = kind;
+      if (kind == CellKind::hex8) block.cells = {20, 4, 1};
+      block.map = [](const Eigen::Vector3d& u) { return 0.01 * Eigen::Vector3d(10.0 * u.x(), u.y(), u.z()); };
+      BlockCase c(make_block(block), {neo_hooke(10.0, i == 0 ? 0.499 : 0.49999)});
+      c.hold("left", 0.0, 0.0, 0.0);
+      c.traction("right", 0.0, 2.0, 0.0);
+      tip[i] = solve(c).displacement(c.mesh, {0.1, 0.01, 0.01}).y();
+    }
+    fmt::print("{}: tip {:.4f} and {:.4f} mm\n", to_string(kind), 1e3 * tip[0], 1e3 * tip[1]);
+    EXPECT_LE(std::abs(tip[1] / tip[0] - 1.0), 0.01) << to_string(kind);
+  }
+}
+
+// A cube whose inner node is thrown far off comes back: its surface is held, so that rest is the only equilibrium.
+TEST(Inversion, AMisplacedInnerNodeComesHomeOrIsRefused) {
+  Block block;
+  block.cells = {2, 2, 2}, block.kind = CellKind::hex8;
+  BlockCase c(make_block(block), {neo_hooke(10.0, 0.3)});
+  for (const char* face : {"left", "right", "bottom", "top", "back", "front"}) c.hold(face, 0.0, 0.0, 0.0);
+  const mesh::GarmentMesh none;
+  solver::Scene scene = solver::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
+  const auto start = [&](double x) {
+    solver::State state = solver::placed_state(scene.layout(), c.mesh, none);
+    for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
+      if ((c.mesh.nodes[node] - Eigen::Vector3d(0.5, 0.5, 0.5)).norm() < 1e-9)
+        state.values[scene.layout().body(static_cast<int>(node))] = x;
+    return state;
+  };
+  solver::State inverted = start(1.4);  // ln J has no value there: named, not NaN
+  EXPECT_EQ(solver::newton(scene, inverted, {}, [](const postproc::Iteration&) {}), solver::Outcome::inadmissible);
+  solver::State strained = start(0.8);
+  solver::newton(scene, strained, {}, [](const postproc::Iteration&) {});
+  EXPECT_LE((strained.values - start(0.5).values).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace snug::tests
