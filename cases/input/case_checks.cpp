@@ -25,9 +25,10 @@ std::vector<Unavailable> unavailable() {
 }
 
 void check_layer_order(const std::vector<LayerSpec>& layers, Diagnostics& diagnostics) {
-  if (layers.front().form != "rigid")
-    diagnostics.error(layers.front().where, fmt::format("the innermost layer \"{}\" is not rigid", layers.front().name),
-                      "list the layers from the inside out and begin with the bone: material = \"rigid\"");
+  if (layers.front().form == "solid" && layers.front().thickness)
+    diagnostics.error(layers.front().where, fmt::format("the innermost layer \"{}\" has a thickness", layers.front().name),
+                      "begin with the bone, rigid or elastic, and leave its thickness out: its outline comes from the "
+                      "stations or the scan");
   for (std::size_t n = 1; n < layers.size(); ++n) {
     if (layers[n].form == "rigid")
       diagnostics.error(layers[n].where, fmt::format("the rigid layer \"{}\" is not the innermost", layers[n].name),
@@ -48,7 +49,7 @@ void check_thicknesses(const BodySpec& body, Diagnostics& diagnostics) {
     if (layer.form == "rigid" && layer.thickness)
       diagnostics.error(layer.where, fmt::format("the rigid layer \"{}\" has a thickness", layer.name),
                         "leave it out: the outline of the bone comes from the stations or the scan");
-    if (layer.form != "solid") continue;
+    if (layer.form != "solid" || &layer == &body.layers.front()) continue;  // an elastic bone has its outline
     ++solids;
     if (!layer.thickness) open.push_back(layer.name);
   }
@@ -161,8 +162,11 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
     error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
 }
 
-void check_loads(const Case& c, Diagnostics& diagnostics) {
+void check_loads(const Case& c, const Table& root, Diagnostics& diagnostics) {
   if (!c.load) return;
+  if (const Table* load = root.table("load"); load && load->keys().empty())
+    diagnostics.error(root.where_is("load"), "the section [load] has no load",
+                      "add one, e.g. skin_pressure = \"5 kPa\", or leave [load] out");
   for (const Force& force : c.load->force)
     if (force.at.has_value() == !force.on.empty())
       diagnostics.error(force.where, force.at ? "a force has both at and on" : "a force has neither at nor on",
@@ -221,7 +225,11 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   if (description.body && description.body->kind == "imported" && description.garment)
     diagnostics.error(root.where_is("garment"), "a garment on an imported body cannot be placed yet",
                       "use kind = \"stations\" or \"scan\", or load the imported body with [load] and [[support]]");
-  check_loads(description, diagnostics);
+  if (description.body && description.garment && description.body->elements != "Q2/P1")
+    diagnostics.error(root.where_is("garment"),
+                      fmt::format("a garment touches quadratic hexahedra only, not {}", description.body->elements),
+                      "leave body.elements out");
+  check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
   check_tier(description, root, diagnostics);
   if (description.body && description.comfort && description.body->locations.empty())

@@ -7,14 +7,17 @@ namespace {
 
 constexpr const char* file = "materials/data/tissues.toml";
 
-// Range of the initial shear modulus in the literature, beside the law's own keys.
-struct Range {
+// What an entry says beside the law's own keys.
+struct Properties {
   std::array<double, 2> shear_modulus = {0.0, 0.0};
+  double density = Tissue{}.density;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(input::Field{.key = "range", .unit = "Pa", .meaning = "lowest and highest shear modulus published"},
           self.shear_modulus);
+    field(input::Field{.key = "density", .unit = "kg/m3", .meaning = "density, for gravity", .bound = input::positive()},
+          self.density);
   }
 };
 
@@ -24,11 +27,15 @@ Tissue find_tissue(const input::MaterialReference& reference) {
   const Entry entry = find_entry(reference, shipped_tissues, file, "tissue");
   input::Diagnostics diagnostics;
   std::vector<std::string> others = common_keys();
-  others.push_back("range");
+  others.insert(others.end(), {"range", "density"});
   const auto law = read_solid_law(entry.table, others, diagnostics);
-  const auto range = input::read<Range>(entry.table, diagnostics, {.also_known = entry.table.keys()});
+  const auto properties = input::read<Properties>(entry.table, diagnostics, {.also_known = entry.table.keys()});
   diagnostics.throw_if_any();
-  return {.name = entry.name, .law = *law, .shear_range = range.shear_modulus, .source = entry.provenance.text()};
+  return {.name = entry.name,
+          .law = *law,
+          .density = properties.density,
+          .shear_range = properties.shear_modulus,
+          .source = entry.provenance.text()};
 }
 
 Tissue find_membrane_tissue(const input::MaterialReference& reference) {

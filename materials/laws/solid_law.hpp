@@ -97,6 +97,7 @@ inline double initial_youngs_modulus(const SolidLaw& law) {
 struct Tissue {
   std::string name;
   SolidLaw law;
+  double density = 1060.0;  ///< kg/m3; where an entry says nothing, that of muscle (Ward & Lieber 2005, 1056-1060)
   std::array<double, 2> shear_range = {0.0, 0.0};  ///< Pa, lowest and highest published; 0, 0 when not given
   std::string source;                              ///< where the numbers come from and what was assumed
 };

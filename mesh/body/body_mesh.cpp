@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
+#include "mesh/body/core.hpp"
 #include "mesh/body/lattice.hpp"
 #include "mesh/body/layering.hpp"
 
@@ -18,6 +20,7 @@ constexpr double full_turn = 2.0 * std::numbers::pi;
 
 struct Grid {
   int around, along, through;  // cells
+  int bone;                    // of them through an elastic bone, outside its core
 };
 
 Grid checked_grid(const input::BodySpec& spec, const Layering& layering) {
@@ -25,9 +28,34 @@ Grid checked_grid(const input::BodySpec& spec, const Layering& layering) {
     throw input::InputError(spec.where,
                             fmt::format("{} cells around and {} along", spec.cells_around, spec.cells_along),
                             "write at least 4 cells around and 1 along");
-  Grid grid{spec.cells_around, spec.cells_along, 0};
-  for (const auto& layer : layering.solids()) grid.through += layer.cells;
+  if (layering.bone() && spec.cells_around % 4 != 0)
+    throw input::InputError(spec.where, fmt::format("{} cells around an elastic bone", spec.cells_around),
+                            "write a multiple of 4: the bone is meshed round a square");
+  if (layering.bone() && spec.elements == "P2/P1")
+    throw input::InputError(spec.where, "elements = \"P2/P1\" with an elastic bone",
+                            "use Q2/P1 or Q1/P0, or make the bone rigid");
+  Grid grid{spec.cells_around, spec.cells_along, 0, layering.bone() ? layering.bone()->cells : 0};
+  for (const auto& layer : layering.lattice_layers()) grid.through += layer.cells;
   return grid;
+}
+
+/// Where the lattice stands: the rings of an elastic bone between its core and its outline, the layers outside it.
+std::vector<Eigen::Vector3d> positions(const Lattice& lattice, const Layering& layering, const Grid& grid,
+                                       const Limb& limb) {
+  std::vector<Eigen::Vector3d> nodes;
+  std::map<int, CoreBorder> border;  // by lattice height
+  for (const LatticeKey& key : lattice.nodes) {
+    const double turn = 0.5 * key.i / grid.around;
+    const double z = limb.lower + (limb.upper - limb.lower) * (0.5 * key.j / grid.along);
+    if (key.k >= 2 * grid.bone) {
+      nodes.push_back(layering.point(limb, turn, z, key.k - 2 * grid.bone));
+      continue;
+    }
+    const CoreBorder& core = border.try_emplace(key.j, *limb.bone, z).first->second;
+    const double s = 0.5 * key.k / grid.bone;
+    nodes.push_back((1.0 - s) * core.at(turn) + s * limb.bone->at(turn, z));
+  }
+  return nodes;
 }
 
 /// Names the surfaces by the lattice: their nodes, and the faces of cells that lie on them.
@@ -40,11 +68,11 @@ void collect_surfaces(const Lattice& lattice, const Grid& grid, BodyMesh& mesh) 
       if (holds(lattice.nodes[n])) keep[n] = 1, surface.nodes.push_back(static_cast<int>(n));
     surface.facets = boundary_facets(mesh, keep);
   };
-  add("bone", [](const LatticeKey& key) { return key.k == 0; });
+  add("bone", [&](const LatticeKey& key) { return key.k == 2 * grid.bone; });
   add("lower", [](const LatticeKey& key) { return key.j == 0; });
   add("upper", [&](const LatticeKey& key) { return key.j == 2 * grid.along; });
   add("skin", [&](const LatticeKey& key) { return key.k == 2 * grid.through; });
-  mesh.bone_nodes = mesh.surface("bone")->nodes;
+  if (grid.bone == 0) mesh.bone_nodes = mesh.surface("bone")->nodes;
   mesh.skin_facets = mesh.surface("skin")->facets;
 }
 
@@ -125,19 +153,17 @@ int location_of(const std::vector<input::LocationSpec>& locations, double angle,
 BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   const Layering layering(spec);
   const Grid grid = checked_grid(spec, layering);
-  const Lattice lattice = make_lattice(grid.around, grid.along, layering.lattice_layers());
+  Lattice lattice = make_lattice(grid.around, grid.along, layering.lattice_layers());
 
   BodyMesh mesh;
+  mesh.nodes = positions(lattice, layering, grid, limb);
+  if (layering.bone()) fill_core(grid.around, grid.along, lattice, mesh.nodes);
   mesh.cells = lattice.cells;
   mesh.cell_layer = lattice.cell_layer;
+  if (const auto* bone = layering.bone()) mesh.layers.push_back({bone->name, bone->material});
   for (const auto& layer : layering.solids()) mesh.layers.push_back({layer.name, layer.material});
   for (const auto& layer : layering.membranes())
     mesh.membranes.push_back({layer.name, layer.material, *layer.thickness});
-  for (const LatticeKey& key : lattice.nodes) {
-    const double turn = 0.5 * key.i / grid.around;
-    const double z = limb.lower + (limb.upper - limb.lower) * (0.5 * key.j / grid.along);
-    mesh.nodes.push_back(layering.point(limb, turn, z, key.k));
-  }
   if (spec.facets == "flat") straighten(mesh);
   check_cells(mesh, limb, spec.where);
   collect_surfaces(lattice, grid, mesh);

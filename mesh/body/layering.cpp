@@ -13,11 +13,9 @@ using input::LayerSpec;
 
 void check_order(const std::vector<LayerSpec>& layers, const input::Location& where) {
   if (layers.empty()) throw InputError(where, "the body has no layers", "list the layers from the inside out");
-  if (layers.front().form != "rigid")
-    throw InputError(layers.front().where,
-                     fmt::format("the innermost layer \"{}\" is {}; a body without a rigid core cannot be meshed yet",
-                                 layers.front().name, layers.front().form),
-                     "make the first layer the bone, with material = \"rigid\"");
+  if (layers.front().form == "solid" && layers.front().thickness)
+    throw InputError(layers.front().where, fmt::format("the bone \"{}\" has a thickness", layers.front().name),
+                     "leave it out: the outline of the bone comes from the stations or the scan");
   for (std::size_t n = 1; n < layers.size(); ++n) {
     if (layers[n].form == "rigid")
       throw InputError(layers[n].where, fmt::format("layer \"{}\" is rigid but not innermost", layers[n].name),
@@ -61,13 +59,15 @@ Layering::Layering(const input::BodySpec& spec) {
   for (const LayerSpec& layer : spec.layers) {
     check_sizes(layer);
     if (layer.form == "membrane") membranes_.push_back(layer);
-    if (layer.form == "solid") solids_.push_back(layer);
+    if (layer.form == "solid" && &layer == &spec.layers.front()) bone_ = layer;
+    if (layer.form == "solid" && &layer != &spec.layers.front()) solids_.push_back(layer);
   }
   rest_ = find_rest(solids_, spec.where);
 }
 
 std::vector<LatticeLayer> Layering::lattice_layers() const {
   std::vector<LatticeLayer> layers;
+  if (bone_) layers.push_back({bone_->name, bone_->cells});
   for (const LayerSpec& solid : solids_) layers.push_back({solid.name, solid.cells});
   return layers;
 }

@@ -1,6 +1,7 @@
 // Where the layers of the body stand between bone and skin.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mesh/body/lattice.hpp"
@@ -13,13 +14,16 @@ namespace snug::mesh {
 /// eccentric: the ray from bone to skin of equal turn is divided, corrected by its angle to the normal).
 class Layering {
  public:
-  /// Throws input::InputError: first layer not rigid, another rigid layer, a membrane that is not the outermost layer,
+  /// Throws input::InputError: another rigid layer than the first, a membrane that is not the outermost layer,
   /// no or several solid layers without thickness, thickness or cells not positive.
   explicit Layering(const input::BodySpec& spec);
 
+  /// Between bone and skin.
   const std::vector<input::LayerSpec>& solids() const { return solids_; }
   const std::vector<input::LayerSpec>& membranes() const { return membranes_; }
-  /// Names and cells of the solid layers, from the inside out.
+  /// The elastic bone, or null when it is rigid; its outline is that of the limb's bone.
+  const input::LayerSpec* bone() const { return bone_ ? &*bone_ : nullptr; }
+  /// Names and cells of the layers with cells, from the inside out.
   std::vector<LatticeLayer> lattice_layers() const;
 
   /// Point of the body at lattice height `k` (0 = bone, 2 x all cells = skin). Throws input::InputError naming layer,
@@ -30,6 +34,7 @@ class Layering {
   /// Fractions of the ray from bone to skin at the interfaces: solids + 1 values from 0 to 1.
   std::vector<double> interfaces(const Limb& limb, double turn, double z) const;
 
+  std::optional<input::LayerSpec> bone_;
   std::vector<input::LayerSpec> solids_, membranes_;
   std::size_t rest_ = 0;  // the solid layer without thickness
 };

@@ -79,12 +79,12 @@ void list_loads(const input::Case& description, Plan& plan) {
   } else {
     const input::LoadSpec& load = *description.load;
     if (load.skin_pressure != 0.0) plan.parts_in.push_back("load: follower pressure on the skin");
-    for (const auto& p : load.pressure) plan.parts_in.push_back("load: follower pressure on " + p.on);
-    for (const auto& t : load.traction) plan.parts_in.push_back("load: dead traction on " + t.on);
-    for (const auto& f : load.force) plan.parts_in.push_back("load: dead force " + (f.at ? "at a point" : "on " + f.on));
+    for (const auto& p : load.pressure) plan.parts_in.push_back(fmt::format("load: follower pressure on {}", p.on));
+    for (const auto& t : load.traction) plan.parts_in.push_back(fmt::format("load: dead traction on {}", t.on));
+    for (const auto& f : load.force) plan.parts_in.push_back(fmt::format("load: dead force on {}", f.at ? "a point" : f.on));
     if (load.gravity != std::array<double, 3>{0, 0, 0}) plan.parts_in.push_back("load: weight");
   }
-  for (const auto& support : description.support) plan.parts_in.push_back("support: " + support.on);
+  for (const auto& support : description.support) plan.parts_in.push_back(fmt::format("support: {}", support.on));
 }
 
 // Time and memory by unknowns, from runs of the shipped cases on two cores (2026-11): a rough guide, not a promise.

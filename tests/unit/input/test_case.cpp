@@ -113,10 +113,22 @@ TEST_F(CaseDirectory, ErrorsOfAllSectionsComeTogether) {
 
 TEST_F(CaseDirectory, MissingKeysAreNamedWithTheirMeaning) {
   // A required key that is missing is an error at its section with meaning and example.
-  const auto errors = errors_of("title = \"t\"\n" + body_section + "[load]\n");
+  const auto errors = errors_of("title = \"t\"\n" + body_section + "[load]\npressure = [{ on = \"skin\" }]\n");
   ASSERT_EQ(errors.size(), 1u) << all(errors);
-  EXPECT_TRUE(has(errors, "9:", "the key skin_pressure is missing; add skin_pressure: pressure on the whole skin"))
-      << all(errors);
+  EXPECT_TRUE(has(errors, "10:", "the key value is missing; add value: pressure, against the outward normal")) << all(errors);
+}
+
+TEST_F(CaseDirectory, LoadsAndSupportsThatDoNothingAreRefused) {
+  const auto errors = errors_of("title = \"t\"\n" + body_section +
+                                "[load]\n"                                               // 9
+                                "force = [{ value = [\"0 N\", \"1 N\", \"0 N\"] }]\n"    // 10
+                                "[[support]]\non = \"lower\"\n"                          // 11
+                                "[[support]]\non = \"upper\"\nturn = \"3 deg\"\nz = \"0 mm\"\n");
+  EXPECT_TRUE(has(errors, "10:", "a force has neither at nor on; write at = [x, y, z]")) << all(errors);
+  EXPECT_TRUE(has(errors, "11:", "the support of \"lower\" holds nothing; give a displacement")) << all(errors);
+  EXPECT_TRUE(has(errors, "13:", "\"upper\" is turned but x or y is free")) << all(errors);
+  const auto empty = errors_of("title = \"t\"\n" + body_section + "[load]\n");
+  EXPECT_TRUE(has(empty, "9:", "the section [load] has no load; add one")) << all(empty);
 }
 
 TEST_F(CaseDirectory, PartsThatDoNotFitAreRefused) {

@@ -139,12 +139,46 @@ TEST(BodyMesh, WrongLayersAreRefusedWithARemedy) {
       EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
     }
   };
-  refused([](auto& s) { s.layers.erase(s.layers.begin()); }, "without a rigid core");
+  refused([](auto& s) { s.layers.erase(s.layers.begin()); }, "not exactly one solid layer");
   refused([](auto& s) { s.layers[1].thickness = 0.01; }, "without thickness");
   refused([](auto& s) { s.layers[2].thickness = 0.05; }, "nothing is left for layer \"tissue\"");
   refused([](auto& s) { s.layers[2].thickness = 0.0; }, "thickness 0");
   refused([](auto& s) { s.layers[1].cells = 0; }, "0 cells");
   refused([](auto& s) { s.cells_around = 2; }, "2 cells around");
+}
+
+// An elastic bone is filled by a square of cells and rings round it; its volume is that of its outline.
+TEST(BodyMesh, AnElasticBoneIsMeshedToItsMiddle) {
+  auto spec = layered_spec();
+  spec.layers[0].form = "solid", spec.layers[0].material.name = "bone";
+  for (const char* elements : {"Q2/P1", "Q1/P0"}) {
+    spec.elements = elements, spec.cells_around = 32;
+    const BodyMesh mesh = make_body_mesh(spec, cylinder());
+    const auto rows = quality(mesh);
+    const bool quadratic = mesh.kind == CellKind::hex27;
+    EXPECT_EQ(rows[0].cells, (8 * 8 + 32 * 2) * 6);
+    EXPECT_NEAR(rows[0].volume / (pi * 0.015 * 0.015 * 0.2), 1.0, quadratic ? 2e-5 : 1e-2);
+    EXPECT_GT(rows[0].min_scaled_jacobian, 0.5);
+    EXPECT_TRUE(mesh.bone_nodes.empty());
+    EXPECT_FALSE(mesh.surface("bone")->nodes.empty());
+  }
+}
+
+// Six tetrahedra in each hexahedron: same volume, same curved skin, no gaps between them.
+TEST(BodyMesh, TetrahedraFillTheLimbUpToItsCurvedSkin) {
+  auto spec = layered_spec();
+  spec.elements = "P2/P1", spec.cells_around = 32;
+  const BodyMesh mesh = make_body_mesh(spec, cylinder());
+  const auto rows = quality(mesh);
+  EXPECT_EQ(rows[0].cells, 6 * 32 * 6 * 2);
+  EXPECT_NEAR(rows[0].volume / (pi * (0.048 * 0.048 - 0.015 * 0.015) * 0.2), 1.0, 1e-4);
+  EXPECT_EQ(mesh.skin_facets.size(), 2u * 32 * 6);
+  for (const auto& facet : mesh.skin_facets)
+    for (int a = 0; a < 6; ++a) EXPECT_NEAR(mesh.nodes[facet[a]].head<2>().norm(), 0.05, 1e-15);
+  std::vector<char> all(mesh.nodes.size(), 1);
+  std::size_t named = 0;
+  for (const auto& surface : mesh.surfaces) named += surface.facets.size();
+  EXPECT_EQ(boundary_facets(mesh, all).size(), named);  // bone, skin and the two cuts close it
 }
 
 TEST(BodyMesh, ACellThatWouldInvertIsRefusedWithLayerAngleAndHeight) {

@@ -1,0 +1,127 @@
+// Meshes of cells from gmsh files, made here by gmsh itself.
+#include <gtest/gtest.h>
+
+#include <gmsh.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "mesh/body/import.hpp"
+#include "mesh/formats/gmsh_session.hpp"
+
+namespace snug::mesh {
+namespace {
+
+struct File {
+  std::filesystem::path path;
+  ~File() { std::filesystem::remove(path); }
+};
+
+/// A box of 2 x 1 x 1 mm in two volumes, "soft" (x < 1) and "hard", meshed by gmsh; `finish` changes the mesh.
+File two_boxes(bool hexahedra, int order, const std::function<void()>& finish = [] {}) {
+  const GmshSession session;
+  namespace occ = gmsh::model::occ;
+  occ::addBox(0, 0, 0, 1, 1, 1, 1), occ::addBox(1, 0, 0, 1, 1, 1, 2);
+  gmsh::vectorpair out;
+  std::vector<gmsh::vectorpair> map;
+  occ::fragment({{3, 1}}, {{3, 2}}, out, map);
+  occ::synchronize();
+  gmsh::option::setNumber("Mesh.MeshSizeMin", 0.5), gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
+  if (hexahedra) gmsh::model::mesh::setTransfiniteAutomatic();
+  const auto name = [](int dimension, const std::vector<int>& tags, const std::string& text) {
+    gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, tags), text);
+  };
+  const auto in_box = [](double x0, double x1, int dimension) {
+    gmsh::vectorpair found;
+    gmsh::model::getEntitiesInBoundingBox(x0 - 1e-6, -1e-6, -1e-6, x1 + 1e-6, 1 + 1e-6, 1 + 1e-6, found, dimension);
+    return std::vector<int>{found.at(0).second};
+  };
+  name(3, {1}, "soft"), name(3, {2}, "hard");
+  name(2, in_box(0, 0, 2), "left"), name(2, in_box(2, 2, 2), "skin");
+  gmsh::model::mesh::generate(3);
+  if (order == 2) gmsh::model::mesh::setOrder(2);
+  finish();
+  File file{std::filesystem::temp_directory_path() / ("snug-import-" + std::to_string(::getpid()) + ".msh")};
+  gmsh::write(file.path.string());
+  return file;
+}
+
+input::BodySpec spec_of(const File& file) {
+  input::BodySpec spec;
+  spec.kind = "imported", spec.mesh = file.path, spec.unit = 1e-3;
+  for (const char* name : {"soft", "hard"}) spec.layers.emplace_back().name = name;
+  return spec;
+}
+
+TEST(Import, HexahedraAndTetrahedraComeWithTheirLayersAndSurfaces) {
+  for (const bool hexahedra : {true, false})
+    for (const int order : {1, 2}) {
+      const File file = two_boxes(hexahedra, order);
+      const BodyMesh mesh = import_body_mesh(spec_of(file));
+      EXPECT_EQ(mesh.kind, hexahedra ? CellKind::hex27 : CellKind::tet10);
+      for (const QualityRow& row : quality(mesh)) EXPECT_NEAR(row.volume, 1e-9, 1e-18) << row.layer;
+      ASSERT_TRUE(mesh.surface("skin") && mesh.surface("left"));
+      EXPECT_EQ(mesh.skin_facets.size(), mesh.surface("skin")->facets.size());
+      EXPECT_GE(mesh.skin_facets.size(), 4u);
+      for (const int node : mesh.surface("left")->nodes) EXPECT_NEAR(mesh.nodes[node].x(), 0.0, 1e-15);
+      for (const int node : mesh.surface("skin")->nodes) EXPECT_NEAR(mesh.nodes[node].x(), 2e-3, 1e-15);
+    }
+}
+
+TEST(Import, LinearHexahedraStayLinearWhenAskedFor) {
+  const File file = two_boxes(true, 2);
+  auto spec = spec_of(file);
+  spec.elements = "Q1/P0";
+  const BodyMesh mesh = import_body_mesh(spec);
+  EXPECT_EQ(mesh.kind, CellKind::hex8);
+  for (const QualityRow& row : quality(mesh)) EXPECT_NEAR(row.volume, 1e-9, 1e-18);
+}
+
+TEST(Import, ARigidVolumeIsLeftOutAndHeldWhereItTouches) {
+  const File file = two_boxes(true, 1);
+  auto spec = spec_of(file);
+  spec.layers[1].form = "rigid";
+  const BodyMesh mesh = import_body_mesh(spec);
+  EXPECT_EQ(mesh.layers.size(), 1u);
+  EXPECT_FALSE(mesh.bone_nodes.empty());
+  for (const int node : mesh.bone_nodes) EXPECT_NEAR(mesh.nodes[node].x(), 1e-3, 1e-15);
+}
+
+TEST(Import, WhatDoesNotFitIsRefusedWithARemedy) {
+  const auto refused = [](const File& file, auto change, const std::vector<std::string>& parts) {
+    auto spec = spec_of(file);
+    change(spec);
+    try {
+      import_body_mesh(spec);
+      ADD_FAILURE() << "not refused: " << parts[0];
+    } catch (const input::InputError& error) {
+      for (const auto& part : parts) EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  };
+  const File file = two_boxes(false, 1);
+  refused(file, [](auto& s) { s.layers[0].name = "softt"; }, {"no physical volume \"softt\"", "soft, hard"});
+  refused(file, [](auto& s) { s.layers.pop_back(); }, {"\"hard\"", "is no layer of the case"});
+  refused(file, [](auto& s) { s.elements = "Q1/P0"; }, {"tetrahedra", "cannot be Q1/P0"});
+}
+
+TEST(Import, AnInvertedCellIsNamedWithNumberLayerAndPlace) {
+  // A corner of the soft box is pushed through to the other side of its cells.
+  const File file = two_boxes(true, 1, [] {
+    std::vector<std::size_t> tags;
+    std::vector<double> x, parameters;
+    gmsh::model::mesh::getNodes(tags, x, parameters);
+    for (std::size_t n = 0; n < tags.size(); ++n)
+      if (x[3 * n] + x[3 * n + 1] + x[3 * n + 2] < 1e-9) gmsh::model::mesh::setNode(tags[n], {1.0, 1.0, 1.0}, {});
+  });
+  try {
+    import_body_mesh(spec_of(file));
+    ADD_FAILURE();
+  } catch (const input::InputError& error) {
+    for (const char* part : {"cell ", "layer \"soft\"", "mm is inverted", "optimise the mesh"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace snug::mesh
