@@ -67,6 +67,8 @@ std::vector<std::size_t> skin_cells(const BodyMesh& mesh) {
 void write_calculix(std::ostream& out, const BodyMesh& mesh, const std::vector<NeoHookeConstants>& materials,
                     double skin_pressure) {
   if (materials.size() != mesh.layers.size()) throw std::invalid_argument("one material a layer is needed");
+  if (mesh.kind != CellKind::hex27 || !mesh.surface("lower") || mesh.bone_nodes.empty())
+    throw std::invalid_argument("only a limb of 27-node hexahedra on a rigid bone can be written");
   const std::set<int> used = used_nodes(mesh);
   out << "*HEADING\nbody, SI\n";
   write_nodes(out, mesh, used);
@@ -75,8 +77,8 @@ void write_calculix(std::ostream& out, const BodyMesh& mesh, const std::vector<N
   std::set<int> skin;
   for (const auto& facet : mesh.skin_facets) skin.insert(facet.begin(), facet.end());
   write_set(out, "BONE", mesh.bone_nodes, used);
-  write_set(out, "LOWER", mesh.lower_nodes, used);
-  write_set(out, "UPPER", mesh.upper_nodes, used);
+  write_set(out, "LOWER", mesh.surface("lower")->nodes, used);
+  write_set(out, "UPPER", mesh.surface("upper")->nodes, used);
   write_set(out, "SKIN", skin, used);
   out << "*BOUNDARY\nBONE, 1, 3\nLOWER, 3, 3\nUPPER, 3, 3\n*STEP, NLGEOM, INC=100\n*STATIC\n1., 1.\n*DLOAD\n";
   for (const std::size_t c : skin_cells(mesh)) fmt::print(out, "{}, {}, {:.15g}\n", c + 1, outer_face, skin_pressure);

@@ -94,4 +94,11 @@ void SparseScatter::add_diagonal(const Eigen::VectorXd& values) {
     if (diagonal_[row] >= 0) value_[diagonal_[row]] += values[row];
 }
 
+double SparseScatter::squared_diagonal() const {
+  double sum = 0.0;
+  for (const int position : diagonal_)
+    if (position >= 0) sum += value_[position] * value_[position];
+  return sum;
+}
+
 }  // namespace snug::solver

@@ -36,6 +36,9 @@ class SparseScatter {
   /// Adds to the diagonal, one value an unknown of the owned rows.
   void add_diagonal(const Eigen::VectorXd& values);
 
+  /// Sum of the squared diagonal entries of the owned rows.
+  double squared_diagonal() const;
+
   int rows() const { return end_row_ - first_row_; }
   int first_row() const { return first_row_; }
   const std::vector<int>& row_offsets() const { return row_offset_; }

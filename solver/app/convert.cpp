@@ -33,6 +33,14 @@ void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& b
   if (!body.membranes.empty())
     throw input::InputError(where, "the skin is a membrane, which cannot be written as CalculiX input",
                             "give the skin form = \"solid\"");
+  if (body.kind != mesh::CellKind::hex27 || body.bone_nodes.empty() || description.body->kind == "imported")
+    throw input::InputError(where, "only a limb of Q2/P1 hexahedra on a rigid bone can be written as CalculiX input",
+                            "leave body.elements out and give the bone material = \"rigid\"");
+  if (!description.support.empty() ||
+      (description.load && (!description.load->pressure.empty() || !description.load->traction.empty() ||
+                            !description.load->force.empty() || description.load->gravity != std::array<double, 3>{0, 0, 0})))
+    throw input::InputError(where, "of the loads only skin_pressure can be written as CalculiX input",
+                            "leave the others and [[support]] out");
   if (description.body->ends != "sliding")
     throw input::InputError(where, "the ends are " + description.body->ends, "only ends = \"sliding\" can be written");
 }

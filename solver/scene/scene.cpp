@@ -144,6 +144,14 @@ double Scene::force_residual() const {
   return std::sqrt(total);
 }
 
+double Scene::round_off(const State& state) const {
+  const double squared = scatter_.squared_diagonal();
+  double total = 0.0;
+  MPI_Allreduce(&squared, &total, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  const double farthest = state.values.head(layout_.pressure(0)).cwiseAbs().maxCoeff();
+  return std::numeric_limits<double>::epsilon() * farthest * std::sqrt(total);
+}
+
 Measure Scene::measure(const State& state) const {
   Measure measure;
   for (const auto& term : terms_) term->measure(state, measure);

@@ -48,6 +48,9 @@ class Scene {
   int saddle_rows() const;
   /// Norm of the residual over force rows (N) and over gap rows (m3).
   double force_residual() const;
+  /// What round-off of the positions alone makes of the force residual, N: eps |x| K_ii over the rows. No iteration
+  /// brings a body of bulk modulus kappa below about eps kappa |x| h a node.
+  double round_off(const State& state) const;
   Measure measure(const State& state) const;
   double step_bound(const State& state, const Eigen::VectorXd& step) const;
   /// Diagonal weights (N/m), one a state entry, of the proximal term: garment membrane stiffness of the nodes.

@@ -63,7 +63,8 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
   const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
   const bool in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * state.values.cwiseAbs().maxCoeff();
-  c.done = in_place && c.residual <= settings.residual && c.complementarity <= settings.complementarity &&
+  const bool balanced = c.residual <= settings.residual || residual <= scene.round_off(state);
+  c.done = in_place && balanced && c.complementarity <= settings.complementarity &&
            c.measure.volume_error <= settings.volume && c.measure.penetration <= settings.penetration && c.measure.changed == 0;
   return c;
 }
