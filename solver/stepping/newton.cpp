@@ -51,6 +51,7 @@ constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 struct Check {
   Measure measure;
   double residual, complementarity;
+  bool in_place;  ///< every moved support stands where it should
   bool done;
 };
 
@@ -62,9 +63,9 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
   const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
-  const bool in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * state.values.cwiseAbs().maxCoeff();
+  c.in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * state.values.cwiseAbs().maxCoeff();
   const bool balanced = c.residual <= settings.residual || residual <= scene.round_off(state);
-  c.done = in_place && balanced && c.complementarity <= settings.complementarity &&
+  c.done = c.in_place && balanced && c.complementarity <= settings.complementarity &&
            c.measure.volume_error <= settings.volume && c.measure.penetration <= settings.penetration && c.measure.changed == 0;
   return c;
 }
@@ -94,6 +95,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   Patience patience;
   State last = state;
   double before = std::numeric_limits<double>::max(), boost = 1.0;
+  bool in_place = true;
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
     const Check now = check(scene, state, settings);
     row.iteration = iteration;
@@ -103,7 +105,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done) return Outcome::converged;
     if (patience.lost(now.residual)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
-    if (now.residual > too_much_growth * before && boost < largest_boost) {  // the step went too far: hold back and repeat
+    if (in_place && now.residual > too_much_growth * before && boost < largest_boost) {  // the step went too far: hold back and repeat
       state = last;
       scene.update(state);
       if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
@@ -111,6 +113,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     } else {
       last = state;
       before = now.residual;
+      in_place = now.in_place;  // the step that moves supports is the load: its residual is no growth
       boost = std::max(1.0, boost / 5.0);
     }
     Eigen::VectorXd step;
