@@ -39,7 +39,7 @@ TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
   c.load.emplace().skin_pressure = 1000.0;
   const solver::Meshes meshes = make_meshes(c);
   EXPECT_THAT(solver::plan(c, meshes).unknowns, ElementsAre(Key("body")));
-  EXPECT_THAT(term_names(c, Skin::deformable), ElementsAre("tissue", "skin pressure"));
+  EXPECT_THAT(term_names(c, Skin::deformable), ElementsAre("tissue", "pressure on skin"));
   const postproc::RunResult result = solver::solve(c, meshes);
   EXPECT_EQ(result.status, "converged");
   EXPECT_THAT(result.unknowns, ElementsAre(Key("body")));
