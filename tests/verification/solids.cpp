@@ -65,7 +65,7 @@ TEST(FreeBore, InnerAndOuterRadiusMeetTheirRows) {
   for (const Row& row : {Row{0.45, 18.82201552737, 54.30977046039}, Row{0.49, 18.90182893683, 54.55553441269},
                          Row{0.499, 18.91983748883, 54.61100947384}, Row{0.4999, 18.92163918864, 54.61656007165},
                          Row{0.49999, 18.92181924770, 54.61711512009}}) {
-    BlockCase c = tube(0.020, 0.055, {24, 4, 1}, neo_hooke(10.0, row.nu), CellKind::hex27);
+    BlockCase c = tube(0.020, 0.055, {32, 8, 1}, neo_hooke(10.0, row.nu), CellKind::hex27);
     name_nodes(c.mesh, "x axis", [](const Eigen::Vector3d& x) { return std::abs(x.y()) < 1e-9; });
     name_nodes(c.mesh, "y axis", [](const Eigen::Vector3d& x) { return std::abs(x.x()) < 1e-9; });
     c.hold("x axis", {}, 0.0, {}), c.hold("y axis", 0.0, {}, {});  // lines of symmetry: no rigid motion
