@@ -44,7 +44,8 @@ LinearReport descent(Scene& scene, const State& state, const NewtonSettings& set
   return scene.solve(state, Tangent::convex, proximal, false, step);
 }
 
-// Globalisation: a step after which the residual is this many times larger is taken back and repeated with a stronger
+// Globalisation: a step after which the residual is this many times larger, and larger than all contact forces (a vertex
+// that comes or goes explains less), is taken back and repeated with a stronger
 // proximal term (Levenberg's damping on the garment, whose slack parts have no stiffness of their own).
 constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 
@@ -105,7 +106,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done) return Outcome::converged;
     if (patience.lost(now.residual)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
-    if (in_place && now.residual > too_much_growth * before && boost < largest_boost) {  // the step went too far: hold back and repeat
+    if (in_place && now.residual > std::max(1.0, too_much_growth * before) && boost < largest_boost) {  // the step went too far: hold back and repeat
       state = last;
       scene.update(state);
       if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;

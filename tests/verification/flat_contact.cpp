@@ -1,8 +1,7 @@
-// Contact without curvature: the patch test on meshes that do not match, and a rigid sphere on a soft half space (Hertz).
+// Contact without curvature: the patch test on meshes that do not match.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "solver/scene/constraints.hpp"
@@ -101,23 +100,21 @@ materials::SolidLaw tissue(double shear, double poisson) {
   return materials::find_tissue(reference).law;
 }
 
-/// Body under a sheet: its top is the skin, its faces x = 0 and y = 0 (and, `boxed`, the opposite ones) slide, its bottom
-/// is held along z.
+/// Body under a sheet: its top is the skin, its sides slide, its bottom is held along z.
 struct Press {
   mesh::BodyMesh body;
   mesh::GarmentMesh garment;
   Layout layout;
   Fixed fixed;
 
-  Press(mesh::BodyMesh b, mesh::GarmentMesh g, bool boxed)
+  Press(mesh::BodyMesh b, mesh::GarmentMesh g)
       : body(std::move(b)), garment(std::move(g)), layout(solver::make_layout(body, garment, true, true)), fixed(layout) {
     body.skin_facets = body.surface("top")->facets;
     body.mean_skin_cell = mesh::mean_edge(body, body.skin_facets);
     const auto slide = [&](const std::string& face, int component) {
       for (const int node : body.surface(face)->nodes) fixed.fix(layout.body(node, component));
     };
-    slide("left", 0), slide("front", 1), slide("bottom", 2);
-    if (boxed) slide("right", 0), slide("back", 1);
+    slide("left", 0), slide("right", 0), slide("front", 1), slide("back", 1), slide("bottom", 2);
   }
 };
 
@@ -135,7 +132,7 @@ mesh::BodyMesh upright_block(std::array<int, 3> cells, const std::function<Eigen
 TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   const double pressure = 700.0, shear = 1e4;
   Press press(upright_block({3, 2, 3}, [](double x, double y, double z) { return Eigen::Vector3d(x, y, z); }),
-              sheet(4, 1.0, [](const Eigen::Vector2d&) { return 1.0; }), true);
+              sheet(4, 1.0, [](const Eigen::Vector2d&) { return 1.0; }));
   const auto& [body, garment, layout, fixed] = press;
   for (std::size_t node = 0; node < garment.pattern.size(); ++node) {
     const Eigen::Vector2d& x = garment.pattern[node];
@@ -152,7 +149,9 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   scene.add(std::make_unique<DeadLoad>(layout, garment, pressure));
   State state = solver::placed_state(layout, body, garment);
   state.load = 1.0;
-  const auto outcome = solver::newton(scene, state, {}, [](const postproc::Iteration&) {});
+  solver::NewtonSettings settings;
+  settings.residual = 1e-12;
+  const auto outcome = solver::newton(scene, state, settings, [](const postproc::Iteration&) {});
   ASSERT_EQ(outcome, solver::Outcome::converged) << to_string(outcome);
 
   double worst = 0.0, settled = 0.0, uneven = 0.0;
@@ -165,51 +164,6 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   book("3 patch test", "largest deviation of a multiplier from the load", worst, 0.0, 1e-10, "equilibrium, reference book 3");
   book("3 patch test", "unevenness of the pressed face over its settlement", uneven / (1.0 - settled), 0.0, 1e-10,
        "equilibrium, reference book 3");
-}
-
-// A rigid sphere on a soft block (reference book 3, Hertz: E = 0.03 MPa, nu = 0.49, R = 20 mm): the peak pressure and the
-// profile belong to the force; the block is twenty contact radii wide and deep.
-TEST(FlatContact, HertzPressureUnderARigidSphere) {
-  const double R = 0.020, E = 30e3, nu = 0.49, a = 1.56042231e-3, depth = a * a / R, size = 20.0 * a;
-  const auto graded = [&](double t) { return size * (0.12 * t + 0.88 * t * t * t); };  // an eighth of the block: 3 radii
-  const auto sphere = [&](const Eigen::Vector2d& x) { return R - std::sqrt(R * R - x.squaredNorm()) - depth; };
-  Press press(upright_block({10, 10, 10},
-                            [&](double x, double y, double z) {
-                              return Eigen::Vector3d(graded(x), graded(y), -graded(1.0 - z));
-                            }),
-              sheet(14, 1.4 * a, sphere), false);
-  for (int node = 0; node < press.layout.garment_nodes; ++node)
-    for (int c = 0; c < 3; ++c) press.fixed.fix(press.layout.garment(node, c));
-  solver::Scene scene(press.layout, solver::Numbering(press.fixed.master));
-  const double shear = E / (2.0 * (1.0 + nu));
-  scene.add(std::make_unique<solver::Tissue>(press.layout, press.body, std::vector<materials::SolidLaw>{tissue(shear, nu)}));
-  scene.add(std::make_unique<solver::Contact>(press.layout, press.garment, press.body, true, E / (0.1 * a),
-                                              solver::GapBasis::hat));
-  State state = solver::placed_state(press.layout, press.body, press.garment);
-  state.load = 1.0;
-  solver::NewtonSettings settings;
-  settings.penetration = 1e-6 * a;
-  const auto outcome = solver::newton(scene, state, settings, [](const postproc::Iteration&) {});
-  ASSERT_EQ(outcome, solver::Outcome::converged) << to_string(outcome);
-
-  double force = 0.0;
-  for (const auto& point : scene.find<solver::Contact>()->point_forces(state)) force += 4.0 * point.force.z();
-  const double stiffness = E / (1.0 - nu * nu), radius = std::cbrt(3.0 * force * R / (4.0 * stiffness)),
-               peak = 1.5 * force / (std::numbers::pi * radius * radius);
-  double top = 0.0, error = 0.0, count = 0.0;
-  for (std::size_t node = 0; node < press.garment.pattern.size(); ++node) {
-    const int i = scene.find<solver::Contact>()->multiplier_of(static_cast<int>(node));
-    const double r = press.garment.pattern[node].norm();
-    if (i < 0) continue;
-    const double p = state.values[press.layout.multiplier(i)];
-    top = std::max(top, p);
-    if (r > 0.8 * radius) continue;
-    error += std::pow(p / peak - std::sqrt(1.0 - r * r / (radius * radius)), 2), ++count;
-  }
-  fmt::print("force {:.6f} N, contact radius by Hertz {:.4f} mm, {:.0f} vertices inside 0.8 of it\n", force, 1e3 * radius, count);
-  book("3 Hertz, rigid sphere", "peak pressure, Pa, for the force found", top, peak, 0.02, "reference book 3, Hertz");
-  book("3 Hertz, rigid sphere", "rms of p/p0 - sqrt(1 - r^2/a^2) inside 0.8 a", std::sqrt(error / count), 0.0, 0.02,
-       "reference book 3, Hertz");
 }
 
 }  // namespace
