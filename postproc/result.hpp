@@ -68,7 +68,11 @@ struct Balance {
   std::map<std::string, Eigen::Vector3d> reactions;          ///< "upper edge", "bone", "lower cut", ... N
 };
 
-struct Phase { std::string name; double seconds = 0.0; };
+struct Phase {
+  std::string name;
+  double seconds = 0.0;
+  std::vector<Phase> parts = {};  ///< what of it went where; need not add up
+};
 
 struct RunResult {
   std::string title, tier;
@@ -82,6 +86,7 @@ struct RunResult {
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;
   std::vector<Phase> phases;
+  std::map<std::string, long> linear_solver;  ///< "factorisations", "solutions", "krylov_iterations", "ranks"
   double max_penetration = 0.0;   ///< m
   double peak_memory = 0.0;       ///< bytes
   int increments = 0, iterations = 0;

@@ -93,9 +93,13 @@ Json residuals_json(const RunResult& run) {
           {"contact_nodes", last.contact_nodes}};
 }
 
-Json phases_json(const RunResult& run) {
+Json phases_json(const std::vector<Phase>& phases) {
   Json json = Json::array();
-  for (const Phase& phase : run.phases) json.push_back({{"name", phase.name}, {"seconds", phase.seconds}});
+  for (const Phase& phase : phases) {
+    Json one = {{"name", phase.name}, {"seconds", phase.seconds}};
+    if (!phase.parts.empty()) one["parts"] = phases_json(phase.parts);
+    json.push_back(one);
+  }
   return json;
 }
 
@@ -134,7 +138,8 @@ void write_summary(std::ostream& out, const RunResult& run, const Evaluation& ev
   add_outcome(json, run);
   add_evaluation(json, evaluation);
   json["seconds"] = total_seconds(run);
-  json["phases"] = phases_json(run);
+  json["phases"] = phases_json(run.phases);
+  json["linear_solver"] = object(run.linear_solver);
   json["peak_memory_bytes"] = run.peak_memory;
   json["mesh_quality"] = object(provenance.mesh_quality);
   json["versions"] = object(provenance.versions);

@@ -9,15 +9,25 @@
 
 namespace snug::solver {
 
+/// How a solve may save the factorisation.
+struct Lag {
+  bool allowed = false;
+  double tolerance = 1e-10;  ///< |residual| / |right| in the scaled norm at which a solve with the last factor is done
+};
+
 /// What a solve did.
 struct LinearReport {
   bool ok = false;
   bool refactored = false;
-  int iterations = 0;         ///< of FGMRES
+  int iterations = 0;         ///< of FGMRES, those of a lagged factor that gave way included
   int negative_pivots = -1;   ///< of the last factor, -1 when unknown
+  double factor_seconds = 0.0, solve_seconds = 0.0;
 };
 
 /// Symmetric (possibly indefinite) systems. Rows are distributed over the communicator as the scatter says.
+/// Forces and gaps stand in one system, so its rows are brought to one unit before any norm is taken: D A D with
+/// D_ii = A_ii^-1/2 where a row has stiffness of its own, and 1 / max_j |A_ij| D_jj where it has none (a constraint), of
+/// the last factored matrix.
 class LinearSolver {
  public:
   LinearSolver();
@@ -25,13 +35,13 @@ class LinearSolver {
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
-  /// First and end row that this rank owns of `unknowns`.
-  static std::pair<int, int> owned_rows(int unknowns);
-  /// Takes over a new sparsity pattern; the next solve analyses and factors anew.
-  void reset(const SparseScatter& scatter, int unknowns);
-  /// Solves matrix * x = right (both over all unknowns; the result is known on every rank). With `may_lag`, the last
-  /// factor preconditions FGMRES; when that needs more than 12 iterations the matrix is factored anew.
-  LinearReport solve(const SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x, bool may_lag);
+  /// Takes over a new sparsity pattern of a scatter that outlives its use here. The last factor is kept as a
+  /// preconditioner where the unknowns are as many as before; the next factorisation analyses anew.
+  void reset(SparseScatter& scatter, int unknowns);
+  /// Solves matrix * x = right (both over all unknowns; the result is known on every rank). Where a lag is allowed,
+  /// the last factor preconditions FGMRES; when that takes too long the matrix is factored anew. The values of the
+  /// scatter are scaled in place: assemble again before the next solve.
+  LinearReport solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x, const Lag& lag = {});
 
  private:
   struct Petsc;

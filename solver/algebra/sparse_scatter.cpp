@@ -1,6 +1,7 @@
 #include "solver/algebra/sparse_scatter.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace snug::solver {
 
@@ -12,15 +13,18 @@ void SparseScatter::collect_touches(const Numbering& numbering, const std::vecto
     group.row_offset = groups[g]->offset;
     group.row.resize(groups[g]->entry.size());
     group.offset.assign(1, 0);
+    group.touched.assign(groups[g]->elements(), 0);
     for (int e = 0; e < groups[g]->elements(); ++e) {
       const auto entries = groups[g]->of(e);
-      group.offset.push_back(group.offset.back() + entries.size() * entries.size());
       for (std::size_t i = 0; i < entries.size(); ++i) {
         const int unknown = numbering.unknown(entries[i]);
         const bool ours = unknown >= first_row_ && unknown < end_row_;
         group.row[group.row_offset[e] + i] = ours ? unknown - first_row_ : -1;
-        if (ours) ++touch_offset_[unknown - first_row_ + 1];
+        if (!ours) continue;
+        ++touch_offset_[unknown - first_row_ + 1];
+        group.touched[e] = 1;
       }
+      group.offset.push_back(group.offset.back() + (group.touched[e] ? entries.size() * entries.size() : 0));
     }
     group.position.assign(group.offset.back(), -1);
   }
@@ -79,6 +83,7 @@ void SparseScatter::zero() {
 
 void SparseScatter::add(int group_index, int element, std::span<const double> residual, std::span<const double> matrix) {
   const Group& group = groups_[group_index];
+  if (!group.touched[element]) return;
   const int* row = group.row.data() + group.row_offset[element];
   const int n = group.row_offset[element + 1] - group.row_offset[element];
   for (int i = 0; i < n; ++i)
@@ -99,6 +104,28 @@ double SparseScatter::squared_diagonal() const {
   for (const int position : diagonal_)
     if (position >= 0) sum += value_[position] * value_[position];
   return sum;
+}
+
+Eigen::VectorXd SparseScatter::diagonal() const {
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(rows());
+  for (int row = 0; row < rows(); ++row)
+    if (diagonal_[row] >= 0) diagonal[row] = value_[diagonal_[row]];
+  return diagonal;
+}
+
+Eigen::VectorXd SparseScatter::largest_in_rows(const Eigen::VectorXd& D) const {
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(rows());
+  for (int row = 0; row < rows(); ++row)
+    for (int k = row_offset_[row]; k < row_offset_[row + 1]; ++k)
+      largest[row] = std::max(largest[row], std::abs(value_[k] * D[column_[k]]));
+  return largest;
+}
+
+void SparseScatter::scale(const Eigen::VectorXd& D) {
+  for (int row = 0; row < rows(); ++row) {
+    const double d = D[first_row_ + row];
+    for (int k = row_offset_[row]; k < row_offset_[row + 1]; ++k) value_[k] *= d * D[column_[k]];
+  }
 }
 
 }  // namespace snug::solver

@@ -33,17 +33,26 @@ class SparseScatter {
   void zero();
   /// Adds a dense element residual (n) and, when not empty, its matrix (n x n, row-major).
   void add(int group, int element, std::span<const double> residual, std::span<const double> matrix);
+  /// True where the element touches an owned row.
+  bool touches(int group, int element) const { return groups_[group].touched[element] != 0; }
   /// Adds to the diagonal, one value an unknown of the owned rows.
   void add_diagonal(const Eigen::VectorXd& values);
 
   /// Sum of the squared diagonal entries of the owned rows.
   double squared_diagonal() const;
+  /// The diagonal of the owned rows, 0 where there is none.
+  Eigen::VectorXd diagonal() const;
+  /// max_j |A_ij D_jj| of the owned rows.
+  Eigen::VectorXd largest_in_rows(const Eigen::VectorXd& D) const;
+  /// D A D with D of all unknowns.
+  void scale(const Eigen::VectorXd& D);
 
   int rows() const { return end_row_ - first_row_; }
   int first_row() const { return first_row_; }
   const std::vector<int>& row_offsets() const { return row_offset_; }
   const std::vector<int>& columns() const { return column_; }
   const std::vector<double>& values() const { return value_; }
+  std::vector<double>& values() { return value_; }
   const Eigen::VectorXd& residual() const { return residual_; }
 
  private:
@@ -52,6 +61,7 @@ class SparseScatter {
     std::vector<int> position;        ///< n x n positions in `value_`, -1: not ours
     std::vector<int> row_offset;      ///< of the element's rows
     std::vector<int> row;             ///< n local rows, -1: not ours
+    std::vector<char> touched;        ///< one an element: some row is ours
   };
   struct Touch { int group, element, local; };
   void collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);

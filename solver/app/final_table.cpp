@@ -46,6 +46,25 @@ std::string sanity_text(const postproc::RunResult& run) {
       p, to_gf_cm2(p), to_mmHg(p));
 }
 
+std::string parts_text(const postproc::Phase& phase) {
+  std::string text;
+  for (const postproc::Phase& part : phase.parts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", part.name, duration_text(part.seconds));
+  return text;
+}
+
+std::string linear_text(const postproc::RunResult& run) {
+  const auto count = [&](const char* what) {
+    const auto it = run.linear_solver.find(what);
+    return it == run.linear_solver.end() ? 0L : it->second;
+  };
+  if (count("solutions") == 0) return {};
+  std::string text = fmt::format("  linear systems     {} solved with {} factors, {} iterations of FGMRES",
+                                 count("solutions"), count("factorisations"), count("krylov_iterations"));
+  if (count("ranks") > 1) text += fmt::format(", {} ranks", count("ranks"));
+  return text + "\n";
+}
+
 std::string phases_text(const postproc::RunResult& run) {
   std::string text;
   double total = 0.0;
@@ -53,7 +72,10 @@ std::string phases_text(const postproc::RunResult& run) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", phase.name, duration_text(phase.seconds));
     total += phase.seconds;
   }
-  return fmt::format("  time               {} ({})\n", duration_text(total), text);
+  text = fmt::format("  time               {} ({})\n", duration_text(total), text);
+  for (const postproc::Phase& phase : run.phases)
+    if (!phase.parts.empty()) text += fmt::format("    of {:<14} {}\n", phase.name, parts_text(phase));
+  return text + linear_text(run);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "postproc/recorders.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/final_table.hpp"
+#include "solver/app/launch.hpp"
 #include "solver/app/output_directory.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/print_plan.hpp"
@@ -70,40 +71,68 @@ class Run : public Command {
     app.add_option("DIR", directories_, "case directories")->required();
     options_.declare(app);
     app.add_option("--out", out_, "where the results go (out/ in the case directory)")->type_name("DIR");
-    app.add_option("--ranks", ranks_, "processes; only 1 is available yet");
+    app.add_option("--ranks", ranks_, "processes that share the work: snug starts itself again under mpirun (1)")
+        ->check(CLI::Range(1, 4096));
     app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
   }
 
   int execute() override {
-    if (ranks_ != 1)
-      throw input::InputError({"--ranks", 0, 0}, fmt::format("{} ranks are not available yet", ranks_),
-                              "leave --ranks out");
     if (!out_.empty() && directories_.size() > 1)
       throw input::InputError({"--out", 0, 0}, "one place is given for several cases",
                               "run them one by one, or leave --out out");
+    if (launched_ranks() > 1) return run_as_rank();
+    if (ranks_ > 1) {
+      for (const std::string& directory : directories_) options_.read(directory);  // what is wrong is said once
+      return launch_ranks(ranks_);
+    }
+    return run_all();
+  }
+
+ private:
+  int run_all() {
     int status = done;
     for (const std::string& directory : directories_) status = std::max(status, run_or_say(directory));
     return status;
   }
 
- private:
+  /// One rank of several. An error on one rank ends all: the others would wait for it for ever.
+  int run_as_rank() {
+    if (!session_) session_ = std::make_unique<SolverSession>();
+    writes_ = solver::this_rank().number == 0;
+    quiet_ = quiet_ || !writes_;
+    try {
+      return run_all();
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "snug run, rank {}: error: {}; this is a fault of snug or of the machine, not of the input\n",
+                 solver::this_rank().number, error.what());
+    } catch (...) {
+      fmt::print(stderr, "snug run, rank {}: error: unknown fault\n", solver::this_rank().number);
+    }
+    std::fflush(stderr);
+    solver::end_all_ranks(internal_fault);
+  }
+
   /// A wrong case among several does not keep the others from running.
   int run_or_say(const fs::path& directory) {
     try {
       return run_one(directory);
     } catch (const input::InputError& error) {
-      fmt::print(stderr, "{}\n", error.what());
-      return input_wrong;
+      if (writes_) fmt::print(stderr, "{}\n", error.what());
+      if (solver::this_rank().of == 1) return input_wrong;
+      if (!writes_) ::sleep(2);  // rank 0 has the word, if it found the same
+      solver::end_all_ranks(input_wrong);
     }
   }
 
   int run_one(const fs::path& directory) {
-    OutputDirectory out(out_.empty() ? directory / "out" : fs::path(out_));
+    const fs::path target = out_.empty() ? directory / "out" : fs::path(out_);
+    OutputDirectory out(target);
     PreparedCase prepared = prepare(directory, options_);
     if (!session_) session_ = std::make_unique<SolverSession>();
-    warn_of_slow_blas();
+    if (writes_) warn_of_slow_blas();
     say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
     postproc::RunResult run = solve(prepared);
+    if (!writes_) return run.status == "converged" ? done : not_converged;
     // Nothing converged: the pressures mean nothing, and no rating or comfort is made of them.
     const auto evaluation =
         run.status == "failed" ? postproc::Evaluation{}
@@ -132,6 +161,7 @@ class Run : public Command {
   std::string out_;
   int ranks_ = 1;
   bool quiet_ = false;
+  bool writes_ = true;  ///< rank 0
   std::unique_ptr<SolverSession> session_;
 };
 

@@ -6,6 +6,8 @@
 #include <set>
 
 #include "materials/laws/solid_law.hpp"
+#include "solver/algebra/communicator.hpp"
+#include "solver/scene/partition.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
 
 namespace snug::solver {
@@ -112,7 +114,14 @@ Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& b
     const auto* line = constraints.get_constraint_entries(i);
     master[i] = line->empty() ? -1 : static_cast<int>(line->front().first);
   }
-  return Numbering(std::move(master));
+  std::vector<int> vertex_node;  // in the order in which contact numbers its multipliers
+  if (layout.multipliers > 0) {
+    std::vector<char> seen(garment.pattern.size(), 0);
+    for (const auto& triangle : garment.triangles)
+      for (int v = 0; v < 3; ++v)
+        if (const int node = garment.merged[triangle[v]]; !seen[node]) seen[node] = 1, vertex_node.push_back(node);
+  }
+  return Numbering(std::move(master), entry_owners(layout, body, garment, vertex_node, ranks()), ranks());
 }
 
 }  // namespace snug::solver

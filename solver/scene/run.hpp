@@ -14,7 +14,8 @@
 
 namespace snug::solver {
 
-/// Starts PETSc and MPI for the life of the object; one in main. Also sets the thread count of BLAS.
+/// Starts PETSc and MPI for the life of the object; one in main. With several ranks each one's BLAS gets its share of
+/// the cores, unless OPENBLAS_NUM_THREADS says otherwise.
 class Session {
  public:
   Session(int& argc, char**& argv);
@@ -25,6 +26,12 @@ class Session {
   struct Runtime;
   std::unique_ptr<Runtime> runtime_;
 };
+
+/// The rank of this process and how many there are; rank 0 alone speaks and writes.
+struct Rank { int number = 0, of = 1; };
+Rank this_rank();
+/// Ends every rank at once with an exit status: what one rank does not survive, the others cannot wait for.
+[[noreturn]] void end_all_ranks(int status);
 
 /// "openblas", "reference" or "unknown": which BLAS the process has loaded.
 std::string loaded_blas();

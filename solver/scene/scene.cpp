@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "materials/laws/skin_membrane.hpp"
+#include "solver/algebra/communicator.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
 
@@ -16,6 +17,7 @@ class ScatterSink : public Sink {
   void add(int element, std::span<const double> residual, std::span<const double> matrix) override {
     scatter_.add(group_, element, residual, matrix);
   }
+  bool wants(int element) const override { return scatter_.touches(group_, element); }
 
  private:
   SparseScatter& scatter_;
@@ -58,7 +60,11 @@ Scene::Scene(const Layout& layout, Numbering numbering, Supports supports)
     : layout_(layout),
       numbering_(std::move(numbering)),
       supports_(std::move(supports)),
-      proximal_weights_(Eigen::VectorXd::Zero(layout.size())) {}
+      proximal_weights_(Eigen::VectorXd::Zero(layout.size())),
+      force_row_(numbering_.unknowns(), 1) {
+  for (int i = layout.pressure(0); i < layout.size(); ++i)
+    if (const int unknown = numbering_.unknown(i); unknown >= 0) force_row_[unknown] = 0;
+}
 
 void Scene::add(std::unique_ptr<Term> term) {
   terms_.push_back(std::move(term));
@@ -66,31 +72,44 @@ void Scene::add(std::unique_ptr<Term> term) {
 }
 
 void Scene::rebuild() {
+  const Stopwatch watch(costs_.pattern);
   std::vector<const ElementEntries*> groups;
   for (const auto& term : terms_) groups.push_back(&term->entries());
-  const auto [first, end] = LinearSolver::owned_rows(numbering_.unknowns());
+  const auto [first, end] = numbering_.owned(rank());
   scatter_.build(numbering_, groups, first, end);
   solver_.reset(scatter_, numbering_.unknowns());
   built_ = true;
 }
 
 void Scene::renew(const State& state) {
+  const Stopwatch watch(costs_.search);
   for (const auto& term : terms_) term->renew(state);
+}
+
+void Scene::drop_matrix() {
+  solver_ = {};
+  scatter_ = {};
+  built_ = false;
 }
 
 void Scene::update(const State& state) {
   bool changed = !built_;
-  for (const auto& term : terms_) changed = term->update(state) || changed;
+  {
+    const Stopwatch watch(costs_.search);
+    for (const auto& term : terms_) changed = term->update(state) || changed;
+  }
   if (changed) rebuild();
 }
 
 bool Scene::assemble(const State& state, Tangent tangent) {
+  const Stopwatch watch(costs_.assembly);
   scatter_.zero();
-  for (std::size_t t = 0; t < terms_.size(); ++t) {
+  bool admissible = true;
+  for (std::size_t t = 0; t < terms_.size() && admissible; ++t) {
     ScatterSink sink(scatter_, static_cast<int>(t));
-    if (!terms_[t]->assemble(state, tangent, sink)) return false;
+    admissible = terms_[t]->assemble(state, tangent, sink);
   }
-  return true;
+  return on_all_ranks(admissible);
 }
 
 int Scene::saddle_rows() const {
@@ -108,7 +127,7 @@ Eigen::VectorXd Scene::full_residual(const State& state) const {
   return sum;
 }
 
-LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, bool may_lag, Eigen::VectorXd& step) {
+LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step) {
   const int first = scatter_.first_row();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns());
   right.segment(first, scatter_.rows()) = -scatter_.residual();
@@ -129,25 +148,23 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
       diagonal[row] += proximal * proximal_weights_[i];
   scatter_.add_diagonal(diagonal);
   Eigen::VectorXd x;
-  const LinearReport report = solver_.solve(scatter_, right, x, may_lag);
+  const LinearReport report = solver_.solve(scatter_, right, x, lag);
+  costs_.factorisation += report.factor_seconds, costs_.solution += report.solve_seconds;
+  costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;
   for (int i = 0; i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
   return report;
 }
 
 double Scene::force_residual() const {
-  // Pressures and multipliers stand last in the state vector and so have the last unknowns.
-  const int forces = std::clamp(numbering_.unknowns() - saddle_rows() - scatter_.first_row(), 0, scatter_.rows());
-  const double squared = scatter_.residual().head(forces).squaredNorm();
-  double total = 0.0;
-  MPI_Allreduce(&squared, &total, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  return std::sqrt(total);
+  double squared = 0.0;
+  for (int row = 0; row < scatter_.rows(); ++row)
+    if (force_row_[scatter_.first_row() + row]) squared += scatter_.residual()[row] * scatter_.residual()[row];
+  return std::sqrt(sum_over_ranks(squared));
 }
 
 double Scene::round_off(const State& state) const {
-  const double squared = scatter_.squared_diagonal();
-  double total = 0.0;
-  MPI_Allreduce(&squared, &total, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  const double total = sum_over_ranks(scatter_.squared_diagonal());
   const double farthest = state.values.head(layout_.pressure(0)).cwiseAbs().maxCoeff();
   return std::numeric_limits<double>::epsilon() * farthest * std::sqrt(total);
 }

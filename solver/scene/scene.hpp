@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/algebra/costs.hpp"
 #include "solver/algebra/linear_solver.hpp"
 #include "solver/scene/constraints.hpp"
 #include "solver/terms/contact.hpp"
@@ -42,7 +43,11 @@ class Scene {
   /// Solves tangent * step = -residual with `proximal` times the garment's proximal weights added to the diagonal;
   /// `step` has an entry for every state entry. Prescribed entries take the step to their place at state.load, and the
   /// others answer to it.
-  LinearReport solve(const State& state, Tangent tangent, double proximal, bool may_lag, Eigen::VectorXd& step);
+  LinearReport solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step);
+  /// Gives the memory of matrix and factor back; the next update builds them anew.
+  void drop_matrix();
+  /// Times and counts since the scene was made.
+  const Costs& costs() const { return costs_; }
 
   /// Rows of pressures and multipliers: the negative pivots that a minimum on their constraints has.
   int saddle_rows() const;
@@ -66,6 +71,8 @@ class Scene {
   SparseScatter scatter_;
   LinearSolver solver_;
   Eigen::VectorXd proximal_weights_;
+  std::vector<char> force_row_;  ///< one an unknown: a force balance (and no gap)
+  Costs costs_;
   bool built_ = false;
 };
 

@@ -2,8 +2,11 @@
 #include <dlfcn.h>
 #include <petscsys.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <thread>
 
+#include "solver/algebra/communicator.hpp"
 #include "solver/scene/run.hpp"
 
 namespace snug::solver {
@@ -16,17 +19,28 @@ char**& alone_unless_launched(char**& argv) {
   return argv;
 }
 
+void share_cores_of_blas(int ranks) {
+  if (ranks == 1 || getenv("OPENBLAS_NUM_THREADS")) return;
+  using SetThreads = void (*)(int);
+  if (const auto set = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set(std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks));
+}
+
 }  // namespace
 
 struct Session::Runtime {
   Runtime(int& argc, char**& argv) : mpi(argc, alone_unless_launched(argv), dealii::numbers::invalid_unsigned_int) {
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // a failed factorisation is an event for the recovery
+    share_cores_of_blas(ranks());
   }
   dealii::Utilities::MPI::MPI_InitFinalize mpi;
 };
 
 Session::Session(int& argc, char**& argv) : runtime_(std::make_unique<Runtime>(argc, argv)) {}
 Session::~Session() = default;
+
+Rank this_rank() { return {rank(), ranks()}; }
+void end_all_ranks(int status) { abort_all_ranks(status); }
 
 std::string loaded_blas() {
   if (dlsym(RTLD_DEFAULT, "openblas_get_config")) return "openblas";

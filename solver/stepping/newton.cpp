@@ -31,17 +31,25 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
   return false;
 }
 
+// How exactly a step is worth solving for: as exactly as keeps the convergence quadratic (Eisenstat & Walker 1996: forcing
+// term of the order of the residual), ten times tighter so that the active set does not follow errors of the solution.
+// A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
+// from the solution, where the tangent changes too much from step to step and its inertia is in doubt.
+Lag forcing(const NewtonSettings& settings, double residual, bool settled) {
+  return {settings.may_lag && settled && residual < 1e-3, std::clamp(0.1 * residual, 1e-10, 1e-4)};
+}
+
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
 // than pressures and multipliers), its convex part takes over.
-LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, double proximal,
-                     Eigen::VectorXd& step) {
+LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, bool settled,
+                     double proximal, Eigen::VectorXd& step) {
   const Tangent tangent = residual > settings.convex_above ? Tangent::convex : Tangent::full;
   if (tangent == Tangent::convex) scene.assemble(state, tangent);
-  LinearReport report = scene.solve(state, tangent, proximal, settings.may_lag, step);
+  LinearReport report = scene.solve(state, tangent, proximal, forcing(settings, residual, settled), step);
   const bool indefinite = report.ok && report.negative_pivots > scene.saddle_rows();
   if (!indefinite || residual > settings.convex_above) return report;
   scene.assemble(state, Tangent::convex);
-  return scene.solve(state, Tangent::convex, proximal, false, step);
+  return scene.solve(state, Tangent::convex, proximal, {}, step);
 }
 
 // Globalisation: a step after which the residual is this many times larger, and larger than all contact forces (a vertex
@@ -106,6 +114,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done) return Outcome::converged;
     if (patience.lost(now.residual)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
+    const bool settled = now.measure.changed == 0 && now.residual < 0.5 * before;
     if (in_place && now.residual > std::max(1.0, too_much_growth * before) && boost < largest_boost) {  // the step went too far: hold back and repeat
       state = last;
       scene.update(state);
@@ -119,7 +128,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     }
     Eigen::VectorXd step;
     const double proximal = settings.proximal * boost * std::min(1.0, before) + 1e-12;
-    const LinearReport report = descent(scene, state, settings, before, proximal, step);
+    const LinearReport report = descent(scene, state, settings, before, settled, proximal, step);
     if (!report.ok) return Outcome::linear_solver_failed;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);

@@ -18,7 +18,7 @@ struct NewtonSettings {
   int iterations = 30;
   double proximal = 1e-4;         ///< times the relative residual; vanishes at convergence, so it leaves no bias
   double convex_above = 0.02;     ///< relative residual above which only the convex part of the tangent is used
-  bool may_lag = false;
+  bool may_lag = false;           ///< solve with the last factor near the solution: pays where a body is factored
 };
 
 enum class Outcome { converged, no_progress, too_many_iterations, linear_solver_failed, inadmissible };

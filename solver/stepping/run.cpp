@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/algebra/communicator.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/load_path.hpp"
@@ -66,6 +67,22 @@ class Run {
     last_phase_ = now;
   }
 
+  /// Tells where the time of the phase `name` went, from the scene that it was spent in.
+  void account(const Scene& scene, const std::string& name) {
+    const Costs& costs = scene.costs();
+    result_.linear_solver["factorisations"] += costs.factorisations;
+    result_.linear_solver["solutions"] += costs.solutions;
+    result_.linear_solver["krylov_iterations"] += costs.iterations;
+    result_.linear_solver["ranks"] = ranks();
+    for (auto& p : result_.phases)
+      if (p.name == name)
+        p.parts = {{"search", costs.search},
+                   {"pattern", costs.pattern},
+                   {"assembly", costs.assembly},
+                   {"factorisation", costs.factorisation},
+                   {"solution", costs.solution}};
+  }
+
   IterationSink sink(const std::string& name) {
     return [this, name](postproc::Iteration row) {
       row.increment += increments_before_;
@@ -93,8 +110,9 @@ class Run {
     result_.status = "converged";
   }
 
-  PathSettings settings() const {
+  PathSettings settings(Skin skin) const {
     PathSettings path;
+    path.newton.may_lag = skin == Skin::deformable;
     path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
     return path;
   }
@@ -106,6 +124,7 @@ class Run {
     if (!path.complete)
       result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", name, 100.0 * path.reached, path.message);
     phase(name);
+    account(scene, name);
     return path.complete;
   }
 
@@ -113,7 +132,7 @@ class Run {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, skin);
     phase("set-up");
     const auto path = follow_path(scene, placed_state(scene.layout(), meshes_.body, meshes_.garment), tightening(),
-                                  settings(), sink(name));
+                                  settings(skin), sink(name));
     accept(scene, path, name);
     fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
     phase("results");
@@ -125,8 +144,9 @@ class Run {
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
     phase("set-up");
     State state = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
-    const auto path = follow_path(rigid, state, tightening(), settings(), sink("rigid skin"));
+    const auto path = follow_path(rigid, state, tightening(), settings(Skin::rigid), sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
+    rigid.drop_matrix();  // the body needs the memory
     if (complete && result_.tier == "L4" && !stray(rigid, path.state)) return release_body(rigid, path.state);
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
     if (complete) name_sliding();
@@ -144,7 +164,7 @@ class Run {
     PathResult released{start, 0.0, false, 0, ""};
     if (give > 1.0) released = release_at_once(scene, start);
     if (!released.complete)
-      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(),
+      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
                              sink("body, step by step"));
     accept(scene, released, "body");
     if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
@@ -164,7 +184,7 @@ class Run {
       row.increment = 1;
       rows(row);
     };
-    released.complete = newton(scene, released.state, settings().newton, in_one_step) == Outcome::converged;
+    released.complete = newton(scene, released.state, settings(Skin::deformable).newton, in_one_step) == Outcome::converged;
     return released;
   }
 

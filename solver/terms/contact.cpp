@@ -298,7 +298,7 @@ bool Contact::assemble(const State& state, Tangent tangent, Sink& sink) const {
     add_rows(state, element, wanted(tangent), slot);
     return slot.residual.allFinite();
   };
-  return for_elements(static_cast<int>(elements_.size()), slots, compute, [&](int e, Slot& slot) {
+  return for_elements(sink, static_cast<int>(elements_.size()), slots, compute, [&](int e, Slot& slot) {
     const auto n = static_cast<std::size_t>(slot.residual.size());
     sink.add(e, {slot.residual.data(), n},
              wanted(tangent) ? std::span<const double>(slot.matrix.data(), n * n) : std::span<const double>());

@@ -92,7 +92,7 @@ bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) c
     }
     return slot.residual.allFinite();
   };
-  return for_elements(triangles(), slots, compute, [&](int e, MembraneElement<6>& slot) {
+  return for_elements(sink, triangles(), slots, compute, [&](int e, MembraneElement<6>& slot) {
     sink.add(e, {slot.residual.data(), 18}, wanted(tangent) ? std::span<const double>(slot.matrix.data(), 324) : std::span<const double>());
   });
 }

@@ -73,7 +73,19 @@ ContactPoint point_at(const Eigen::Vector3d& L, double weight, int order, int fa
   return {L, weight, garment_values(order, L), {facet, Eigen::Vector2d::Zero()}};
 }
 
-void add_fan(const Polygon& polygon, int order, int facet, std::vector<ContactPoint>& points) {
+// Where a facet's corner lies on an edge of the triangle, round-off decides whether clipping keeps it, and so which corner
+// comes first. The fan starts at the corner that is farthest along a direction with which no edge is likely to be square,
+// so that the points do not depend on it.
+void start_anywhere_but_by_chance(Polygon& polygon) {
+  const Eigen::Vector3d direction(1.0, 0.6180339887, 0.2360679775);
+  const auto first = std::max_element(polygon.begin(), polygon.end(), [&](const auto& a, const auto& b) {
+    return a.dot(direction) < b.dot(direction);
+  });
+  std::rotate(polygon.begin(), first, polygon.end());
+}
+
+void add_fan(Polygon polygon, int order, int facet, std::vector<ContactPoint>& points) {
+  start_anywhere_but_by_chance(polygon);
   for (std::size_t k = 2; k < polygon.size(); ++k) {
     const double part = signed_area(polygon[0], polygon[k - 1], polygon[k]);
     if (std::abs(part) < negligible) continue;
@@ -131,7 +143,7 @@ std::vector<ContactPoint> cut_by_facets(const SkinSurface& skin, const SkinNodes
     if (part < -negligible) return {};
     if (part < negligible && next > 0) continue;
     covered += part;
-    add_fan(polygon, order, facet, points);
+    if (!polygon.empty()) add_fan(polygon, order, facet, points);
     for (const int neighbour : skin.neighbours(facet)) {
       if (neighbour < 0) border = true;
       else if (std::find(queue.begin(), queue.end(), neighbour) == queue.end()) queue.push_back(neighbour);

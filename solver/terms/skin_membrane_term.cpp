@@ -54,7 +54,7 @@ bool SkinMembraneTerm::assemble(const State& state, Tangent tangent, Sink& sink)
       add_membrane_point<9>(x, point.d, state.stiffening * point.weight, response(x, point), wanted(tangent), slot);
     return slot.residual.allFinite();
   };
-  return for_elements(static_cast<int>(elements_.size()), slots, compute, [&](int e, MembraneElement<9>& slot) {
+  return for_elements(sink, static_cast<int>(elements_.size()), slots, compute, [&](int e, MembraneElement<9>& slot) {
     sink.add(e, {slot.residual.data(), 27},
              wanted(tangent) ? std::span<const double>(slot.matrix.data(), 27 * 27) : std::span<const double>());
   });

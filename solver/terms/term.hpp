@@ -16,6 +16,8 @@ class Sink {
  public:
   virtual ~Sink() = default;
   virtual void add(int element, std::span<const double> residual, std::span<const double> matrix) = 0;
+  /// False for elements that another rank computes: they need not be added.
+  virtual bool wants(int element) const { return true; }
 };
 
 /// What a term says of the state beside its residual (contact mostly). All SI.

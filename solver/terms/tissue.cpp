@@ -125,7 +125,7 @@ class CellKernel final : public Tissue::Kernel {
       if (state.stiffening != 1.0) slot.residual *= state.stiffening, slot.matrix *= state.stiffening;
       return slot.residual.allFinite();
     };
-    return for_elements(static_cast<int>(cells_.size()), slots, compute, [&](int e, Slot& slot) {
+    return for_elements(sink, static_cast<int>(cells_.size()), slots, compute, [&](int e, Slot& slot) {
       sink.add(e, {slot.residual.data(), size},
                tangent ? std::span<const double>(slot.matrix.data(), size * size) : std::span<const double>());
     });

@@ -58,7 +58,7 @@ void assemble_and_solve(benchmark::State& loop) {
   Eigen::VectorXd step;
   for (auto _ : loop) {
     bench.scene.assemble(bench.state, solver::Tangent::convex);
-    benchmark::DoNotOptimize(bench.scene.solve(bench.state, solver::Tangent::convex, 1e-4, false, step).ok);
+    benchmark::DoNotOptimize(bench.scene.solve(bench.state, solver::Tangent::convex, 1e-4, {}, step).ok);
   }
   loop.SetItemsProcessed(loop.iterations() * bench.scene.numbering().unknowns());
 }

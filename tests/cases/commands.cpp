@@ -23,7 +23,8 @@ TEST_F(Program, WrongInputIsStatus2AndWritesNothing) {
   EXPECT_NE(outcome.text.find("did you mean fabric?"), std::string::npos) << outcome.text;
   EXPECT_FALSE(fs::exists(folder_ / "mine" / "out"));
   EXPECT_EQ(snug("run nowhere").status, 2);
-  EXPECT_EQ(snug("run mine --ranks 4").status, 2);
+  EXPECT_EQ(snug("run mine --ranks 0").status, 2);
+  EXPECT_EQ(snug("run mine --ranks 2 --set garment.fabrik=x").status, 2);
   EXPECT_EQ(snug("walk").status, 2);
   EXPECT_EQ(snug("run mine --set garment.fabric=N85L51").status, 2);
 }

@@ -1,0 +1,25 @@
+// The few things that ranks say to one another beside the linear solver. Every rank holds the whole state; what is
+// decided from these numbers is decided alike on all.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+
+namespace snug::solver {
+
+int rank();
+int ranks();
+
+/// Sum over the ranks, the same to the last bit on every rank.
+double sum_over_ranks(double value);
+/// True where it is true on every rank.
+bool on_all_ranks(bool value);
+/// Every rank fills its own range [first, end) of `values`; afterwards all have all.
+void gather_ranges(Eigen::VectorXd& values, int first, int end);
+
+/// Ends all ranks at once with an exit status.
+[[noreturn]] void abort_all_ranks(int status);
+
+}  // namespace snug::solver

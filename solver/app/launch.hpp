@@ -1,0 +1,13 @@
+// The program on several ranks.
+#pragma once
+
+namespace snug::app {
+
+/// How many ranks mpirun has started this process with; 1 without mpirun.
+int launched_ranks();
+
+/// Runs this command line again as `ranks` processes under mpirun and gives its exit status. Throws input::InputError
+/// when there is no mpirun.
+int launch_ranks(int ranks);
+
+}  // namespace snug::app
