@@ -117,6 +117,17 @@ void sweep(const Sums& sums, const Eigen::VectorXd& diagonal, int sweeps, Eigen:
 
 std::vector<double> to_vector(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
+/// A facet of 4 or 6 nodes cut into triangles between its nodes: each gives a third of its area to its corners.
+void add_triangle_areas(const std::array<int, 9>& facet, const Points& positions, std::vector<double>& areas) {
+  using Triangles = std::vector<std::array<int, 3>>;
+  static const Triangles of_four = {{0, 1, 3}, {0, 3, 2}}, of_six = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  for (const auto& [a, b, c] : facet[4] < 0 ? of_four : of_six) {
+    const Eigen::Vector3d& x = positions.at(facet[a]);
+    const double area = 0.5 * (positions.at(facet[b]) - x).cross(positions.at(facet[c]) - x).norm();
+    for (const int n : {a, b, c}) areas.at(facet[n]) += area / 3.0;
+  }
+}
+
 }  // namespace
 
 std::array<double, 9> biquadratic(double xi, double eta) { return tensor(quadratic(xi), quadratic(eta)); }
@@ -127,13 +138,18 @@ std::vector<double> nodal_areas(const Facets& facets, std::size_t nodes, const P
   const std::array<double, 4> points = {-outer, -inner, inner, outer};
   const double weight = 0.25;
   std::vector<double> areas(nodes, 0.0);
-  for (const auto& facet : facets)
+  for (const auto& facet : facets) {
+    if (facet[8] < 0) {
+      add_triangle_areas(facet, positions, areas);
+      continue;
+    }
     for (double eta : points)
       for (double xi : points) {
         const double area = weight * area_density(facet, positions, xi, eta);
         const auto hats = tensor(hat(xi), hat(eta));
         for (int n = 0; n < 9; ++n) areas.at(facet[n]) += area * hats[n];
       }
+  }
   return areas;
 }
 

@@ -26,6 +26,7 @@ std::array<double, 9> biquadratic(double xi, double eta);
 
 /// Area of each node's part of the skin, m2: integral of the bilinear hat on the 3 x 3 nodes of each facet. The hats
 /// are positive and sum to one, unlike the biquadratic functions, whose negative lobes make a poor measure of area.
+/// Facets of 4 or 6 nodes (-1 past them) share the area of the triangles between their nodes.
 std::vector<double> nodal_areas(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,
                                 const std::vector<Eigen::Vector3d>& positions);
 

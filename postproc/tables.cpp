@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <span>
+
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
@@ -35,7 +37,7 @@ void write_locations(std::ostream& out, const Evaluation& evaluation) {
 void write_skin(std::ostream& out, const BodyResult& body) {
   std::vector<char> skin(body.nodes.size(), 0);
   for (const auto& facet : body.skin_facets)
-    for (const int node : facet) skin[node] = 1;
+    for (const int node : std::span(facet).first(body.facet_nodes)) skin[node] = 1;
   out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m],pressure [Pa],coverage\n";
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     if (!skin[n]) continue;
