@@ -130,6 +130,12 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::BodyMesh
       return list;
     };
     for (const auto& [name, nodes] : scene.supports().nodes()) support(name, fresh(nodes), entry);
+    const Eigen::VectorXd load = scene.load_forces(state);
+    for (int node = 0; node < layout.body_nodes; ++node) {
+      const Eigen::Vector3d force = load.segment<3>(layout.body(node));
+      balance.force_error += force;
+      balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout.body(node))).cross(force);
+    }
   }
   for (const auto& [name, nodes] : garment.edges)
     support(name + " edge", nodes, [&](int node, int c) { return layout.garment(node, c); });

@@ -127,6 +127,16 @@ Eigen::VectorXd Scene::full_residual(const State& state) const {
   return sum;
 }
 
+Eigen::VectorXd Scene::load_forces(const State& state) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.size());
+  for (const auto& term : terms_) {
+    if (!term->is_load()) continue;
+    VectorSink sink(term->entries(), sum);
+    term->assemble(state, Tangent::none, sink);
+  }
+  return -sum;
+}
+
 LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step) {
   const int first = scatter_.first_row();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns());

@@ -40,6 +40,8 @@ class Scene {
   bool assemble(const State& state, Tangent tangent);
   /// Residual on every entry, prescribed ones included (where it is minus the support's force).
   Eigen::VectorXd full_residual(const State& state) const;
+  /// The forces of the loads, one value an entry.
+  Eigen::VectorXd load_forces(const State& state) const;
   /// Solves tangent * step = -residual with `proximal` times the garment's proximal weights added to the diagonal;
   /// `step` has an entry for every state entry. Prescribed entries take the step to their place at state.load, and the
   /// others answer to it.

@@ -105,6 +105,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   State last = state;
   double before = std::numeric_limits<double>::max(), boost = 1.0;
   bool in_place = true;
+  const bool damped = scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
     const Check now = check(scene, state, settings);
     row.iteration = iteration;
@@ -115,7 +116,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (patience.lost(now.residual)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
     const bool settled = now.measure.changed == 0 && now.residual < 0.5 * before;
-    if (in_place && now.residual > std::max(1.0, too_much_growth * before) && boost < largest_boost) {  // the step went too far: hold back and repeat
+    const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
+    if (too_far && boost < largest_boost) {  // hold back and repeat
       state = last;
       scene.update(state);
       if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;

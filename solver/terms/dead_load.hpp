@@ -30,6 +30,7 @@ class DeadLoad : public Term {
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void measure(const State& state, Measure& measure) const override;
+  bool is_load() const override { return true; }
 
  private:
   std::vector<Eigen::Vector3d> forces_;  ///< of the loaded nodes, one an element

@@ -21,6 +21,7 @@ class PressureLoad : public Term {
   const ElementEntries& entries() const override { return entries_; }
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void measure(const State& state, Measure& measure) const override;
+  bool is_load() const override { return true; }
 
  private:
   Layout layout_;

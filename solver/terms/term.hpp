@@ -54,6 +54,8 @@ class Term {
   /// Renews what stands still while Newton's method iterates (the quadrature of contact), before an increment.
   virtual void renew(const State&) {}
   virtual void measure(const State&, Measure&) const {}
+  /// A force from outside, which the balance of the supports counts.
+  virtual bool is_load() const { return false; }
 };
 
 }  // namespace snug::solver
