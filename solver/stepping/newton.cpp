@@ -53,8 +53,8 @@ LinearReport descent(Scene& scene, const State& state, const NewtonSettings& set
 }
 
 // Globalisation: a step after which the residual is this many times larger, and larger than all contact forces (a vertex
-// that comes or goes explains less), is taken back and repeated with a stronger
-// proximal term (Levenberg's damping on the garment, whose slack parts have no stiffness of their own).
+// that comes or goes explains less), is taken back and repeated with a stronger proximal term (Levenberg's damping on the
+// garment, whose slack parts have no stiffness of their own).
 constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 
 struct Check {

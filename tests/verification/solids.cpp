@@ -268,9 +268,10 @@ TEST(Cantilever, ACoarseMeshDoesNotLock) {
       c.traction("right", 0.0, 2.0, 0.0);
       const BlockAnswer a = solve(c);
       tip[i] = a.displacement(c.mesh, {0.1, 0.01, 0.01}).y();
-      // The supports answer the load of 2 Pa on 1 cm2, as far as round-off at this bulk modulus lets them.
-      EXPECT_LE(a.result.balance.force_error.norm(), 1e-6 * 2e-4);
-      EXPECT_LE(a.result.balance.moment_error.norm(), 1e-6 * 2e-5);
+      // The supports answer the load of 2 Pa on 1 cm2; round-off of the pressure grows with the bulk modulus.
+      const double round_off = i == 0 ? 1e-8 : 1e-7;
+      EXPECT_LE(a.result.balance.force_error.norm(), round_off * 2e-4);
+      EXPECT_LE(a.result.balance.moment_error.norm(), round_off * 2e-5);
     }
     fmt::print("{}: tip {:.4f} and {:.4f} mm\n", to_string(kind), 1e3 * tip[0], 1e3 * tip[1]);
     EXPECT_LE(std::abs(tip[1] / tip[0] - 1.0), 0.01) << to_string(kind);

@@ -108,8 +108,9 @@ TEST(TubeSleeve, ErrorsFallAtLeastWithTheSquareOfTheCellSize) {
   for (int l = 1; l < 3; ++l) {
     EXPECT_GE(std::log2(std::abs(errors[l - 1].pressure / errors[l].pressure)), 2.0);
     EXPECT_GE(std::log2(std::abs(errors[l - 1].displacement / errors[l].displacement)), 2.0);
-    EXPECT_LE(errors[l].nodal_rms, 5e-3);  // it stays where it is: the quadrature does not see the skin's facet edges
   }
+  // The coarsest mesh has no node away from the hems; from there the noise of nodal pressures falls too.
+  EXPECT_GE(std::log2(errors[1].nodal_rms / errors[2].nodal_rms), 2.0);
 }
 
 /// A row of the table in reference book 1.6 C: tissue mu = 10 kPa of 20 to 55 mm, rest radius of the sleeve, its law.
