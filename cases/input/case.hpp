@@ -11,6 +11,7 @@
 #include "cases/input/garment_spec.hpp"
 #include "cases/input/load_spec.hpp"
 #include "cases/input/material_reference.hpp"
+#include "cases/input/reference_spec.hpp"
 #include "cases/input/study_spec.hpp"
 
 namespace snug::input {
@@ -61,6 +62,7 @@ struct Case {
   std::optional<LoadSpec> load;
   std::vector<SupportSpec> support;
   SolverSpec solver;
+  std::optional<ReferenceSpec> reference;
   std::optional<StudySpec> study;
 
   template <class Self, class Visitor>
@@ -73,6 +75,7 @@ struct Case {
     field(Field{.key = "load", .meaning = "loads on the body beside a garment"}, self.load);
     field(Field{.key = "support", .meaning = "surfaces of the body that are held or moved"}, self.support);
     field(Field{.key = "solver", .meaning = "how much of the body is solved"}, self.solver);
+    field(Field{.key = "reference", .meaning = "nodal tables that the result is compared with"}, self.reference);
     field(Field{.key = "study", .meaning = "what snug study compares: meshes, variants, exact answer"}, self.study);
   }
 };

@@ -20,8 +20,7 @@ std::vector<Unavailable> unavailable() {
   return {
       {"contact", "friction", "friction is not available yet; leave it out: contact is frictionless"},
       {"garment", "bending", "bending is not available yet; leave it out"},
-      {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"},
-      {"", "reference", "comparison with reference tables is not available yet; leave [reference] out"}};
+      {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"}};
 }
 
 void check_layer_order(const std::vector<LayerSpec>& layers, Diagnostics& diagnostics) {
@@ -184,6 +183,15 @@ void check_supports(const Case& c, Diagnostics& diagnostics) {
   }
 }
 
+void check_reference(const Case& description, const Table& root, Diagnostics& diagnostics) {
+  if (!description.reference) return;
+  const Location where = root.where_is("reference");
+  if (!description.reference->displacement && !description.reference->stress)
+    diagnostics.error(where, "[reference] names nothing to compare",
+                      "add displacement = { file = \"reference/displacement.lis\", relative = 1e-3 }, or stress");
+  if (!description.body) diagnostics.error(where, "there is a [reference] but no [body]", "leave [reference] out");
+}
+
 void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
   if (c.solver.tier == "L4") return;
   if (root.find("load"))
@@ -232,6 +240,7 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
   check_tier(description, root, diagnostics);
+  check_reference(description, root, diagnostics);
   if (description.body && description.comfort && description.body->locations.empty())
     diagnostics.error(root.where_is("comfort"), "[comfort] has no locations to judge",
                       "add [[body.locations]] named like the sensation curves, e.g. \"Front thigh\"");

@@ -38,6 +38,7 @@ std::vector<std::unique_ptr<Command>> all_commands();
 std::unique_ptr<Command> make_run();
 std::unique_ptr<Command> make_check();
 std::unique_ptr<Command> make_mesh();
+std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_score();
 std::unique_ptr<Command> make_study();
 std::unique_ptr<Command> make_convert();

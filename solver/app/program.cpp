@@ -16,6 +16,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_run());
   commands.push_back(make_check());
   commands.push_back(make_mesh());
+  commands.push_back(make_compare());
   commands.push_back(make_score());
   commands.push_back(make_study());
   commands.push_back(make_convert());

@@ -27,6 +27,11 @@ std::vector<fs::path> input_files(const input::Case& description) {
   if (description.body && description.body->scan) files.push_back(description.body->scan->surface);
   if (description.comfort && fs::is_regular_file(description.comfort->curves.name))
     files.push_back(description.comfort->curves.name);
+  if (const auto& reference = description.reference) {
+    if (reference->displacement) files.push_back(reference->displacement->file);
+    if (reference->stress) files.push_back(reference->stress->file);
+    if (reference->nodes) files.push_back(*reference->nodes);
+  }
   return files;
 }
 

@@ -17,6 +17,7 @@
 #include "solver/app/print_plan.hpp"
 #include "solver/app/progress.hpp"
 #include "solver/app/provenance.hpp"
+#include "solver/app/regression.hpp"
 
 namespace snug::app {
 
@@ -51,7 +52,6 @@ void write_all(const postproc::RunResult& run, const postproc::Evaluation& evalu
   echo << input::echo_text(prepared.description);
   echo.close();
   if (!echo) throw std::runtime_error("case.echo.toml cannot be written into " + out.aside().string());
-  out.commit();
 }
 
 int status_of(const postproc::RunResult& run, const fs::path& directory) {
@@ -128,6 +128,7 @@ class Run : public Command {
     const fs::path target = out_.empty() ? directory / "out" : fs::path(out_);
     OutputDirectory out(target);
     PreparedCase prepared = prepare(directory, options_);
+    const std::vector<ReferenceTable> references = read_references(prepared.description);  // wrong ones before the solve
     if (!session_) session_ = std::make_unique<SolverSession>();
     if (writes_) warn_of_slow_blas();
     say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
@@ -138,8 +139,25 @@ class Run : public Command {
         run.status == "failed" ? postproc::Evaluation{}
                                : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
     write_all(run, evaluation, prepared, out);
-    say(final_text(run, evaluation, out.target()));
-    return status_of(run, directory);
+    const int regression = run.status == "failed" ? done : regress(references, out);
+    out.commit();
+    say(final_text(run, evaluation, out.target()) + verdict_);
+    return std::max(status_of(run, directory), regression);
+  }
+
+  /// Status of the comparison with the case's own tables. What is wrong with it does not cost the results.
+  int regress(const std::vector<ReferenceTable>& references, OutputDirectory& out) {
+    verdict_.clear();
+    try {
+      const auto comparisons = compare_with(references, out.aside(), out.target());
+      verdict_ = verdict_text(comparisons);
+      const bool within = std::all_of(comparisons.begin(), comparisons.end(), [](const auto& c) { return c.within(); });
+      if (!within && quiet_) fmt::print(stderr, "{}", verdict_);
+      return within ? done : outside_tolerance;
+    } catch (const input::InputError& error) {
+      fmt::print(stderr, "{}\n", error.what());
+      return input_wrong;
+    }
   }
 
   postproc::RunResult solve(const PreparedCase& prepared) const {
@@ -162,6 +180,7 @@ class Run : public Command {
   int ranks_ = 1;
   bool quiet_ = false;
   bool writes_ = true;  ///< rank 0
+  std::string verdict_;  ///< of the last comparison
   std::unique_ptr<SolverSession> session_;
 };
 

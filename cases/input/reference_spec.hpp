@@ -1,0 +1,88 @@
+// What a case is compared with: nodal tables of another program or of an earlier run.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cases/input/field.hpp"
+
+namespace snug::input {
+
+/// A table of displacements. A node may differ by relative * (largest displacement of the table) + absolute.
+struct DisplacementReference {
+  std::filesystem::path file;
+  double relative = 1e-3;
+  double absolute = 0.0;  ///< m
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "file", .meaning = "listing (PRNSOL) or VTU with the displacements", .required = true},
+          self.file);
+    field(Field{.key = "relative",
+                .meaning = "what a node may differ by, over the largest displacement of the table",
+                .bound = non_negative()},
+          self.relative);
+    field(
+        Field{.key = "absolute", .unit = "m", .meaning = "what a node may differ by besides", .bound = non_negative()},
+        self.absolute);
+  }
+};
+
+/// A table of stresses. A node may differ by relative * (largest stress of the table) + absolute.
+struct StressReference {
+  std::filesystem::path file;
+  double relative = 1e-3;
+  double absolute = 0.0;        ///< Pa
+  std::string surface = "all";  ///< of shells
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "file", .meaning = "listing (PRNSOL, PRESOL) or VTU with the stresses", .required = true},
+          self.file);
+    field(Field{.key = "relative",
+                .meaning = "what a node may differ by, over the largest stress of the table",
+                .bound = non_negative()},
+          self.relative);
+    field(
+        Field{.key = "absolute", .unit = "Pa", .meaning = "what a node may differ by besides", .bound = non_negative()},
+        self.absolute);
+    field(Field{.key = "surface",
+                .meaning = "surface of a shell whose stresses are taken",
+                .choices = {"all", "top", "middle", "bottom"}},
+          self.surface);
+  }
+};
+
+struct ReferenceSpec {
+  std::optional<DisplacementReference> displacement;
+  std::optional<StressReference> stress;
+  std::optional<std::filesystem::path> nodes;
+  std::string match = "automatic";
+  double length_unit = 1.0;  ///< m
+  double stress_unit = 1.0;  ///< Pa
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "displacement", .meaning = "table of displacements"}, self.displacement);
+    field(Field{.key = "stress", .meaning = "table of stresses"}, self.stress);
+    field(Field{.key = "nodes", .meaning = "listing of the undeformed nodes (NLIST) of the tables"}, self.nodes);
+    field(Field{.key = "match",
+                .meaning = "how nodes find each other; automatic: by number where the places agree or are not known, "
+                           "else by coordinates",
+                .choices = {"automatic", "number", "coordinates"}},
+          self.match);
+    field(Field{.key = "length_unit",
+                .unit = "m",
+                .meaning = "unit of coordinates and displacements in the listings, e.g. \"1 mm\"",
+                .bound = positive()},
+          self.length_unit);
+    field(Field{.key = "stress_unit",
+                .unit = "Pa",
+                .meaning = "unit of stresses in the listings, e.g. \"1 N/cm2\"",
+                .bound = positive()},
+          self.stress_unit);
+  }
+};
+
+}  // namespace snug::input

@@ -1,0 +1,94 @@
+// snug compare and [reference], as a user meets them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tests/cases/program.hpp"
+
+namespace snug {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CompareProgram : public Program {
+ protected:
+  std::string text_of(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name).rdbuf();
+    return text.str();
+  }
+  static bool holds(const Outcome& outcome, const std::string& part) {
+    return outcome.text.find(part) != std::string::npos;
+  }
+};
+
+TEST_F(CompareProgram, ExitStatusTellsWhetherTablesAgree) {
+  // 0 within the tolerance, 1 outside, 2 for a wrong file; an error has its line.
+  const std::string head = "    NODE       UX\n";
+  write("a.lis", head + "       1  0.10000\n       2  0.20000\n");
+  write("b.lis", head + "       1  0.10000\n       2  0.20100\n");
+  write("wrong.lis", head + "       1  0.10000 3.0\n");
+  EXPECT_EQ(snug("compare a.lis a.lis").status, 0);
+  const Outcome differ = snug("compare a.lis b.lis");
+  EXPECT_EQ(differ.status, 1) << differ.text;
+  EXPECT_TRUE(holds(differ, "node 2")) << differ.text;
+  EXPECT_EQ(snug("compare a.lis b.lis --relative 1e-2").status, 0);
+  EXPECT_EQ(snug("compare a.lis b.lis --absolute-displacement '2 mm'").status, 0);
+  const Outcome wrong = snug("compare a.lis wrong.lis");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_TRUE(holds(wrong, "wrong.lis:2:9: error: node 1 has 2 values where the head names 1 columns")) << wrong.text;
+  EXPECT_EQ(snug("compare a.lis none.lis").status, 2);
+  EXPECT_EQ(snug("compare a.lis b.lis --vtu d.vtu").status, 2);  // no coordinates
+}
+
+TEST_F(CompareProgram, ThePrintedListingsCompareWithThemselves) {
+  // Thesis, section 4.4.3: each printed listing is read by the program and differs from itself by nothing.
+  const std::string data = std::string("'") + SNUG_SOURCE_DIR + "/tests/data/listings/";
+  for (const std::string name : {"thesis_displacement.lis'", "thesis_stress.lis'"}) {
+    const Outcome outcome = snug("compare " + data + name + " " + data + name + " --relative 0");
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+  }
+}
+
+TEST_F(CompareProgram, ARunIsComparedWithItsReference) {
+  // A run meets its own listings within the printed precision (status 0), a second mesh meets them by coordinates
+  // within the error of the meshes, and a reference that says something else ends with status 1, results kept,
+  // difference there.
+  ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
+  const std::string coarse = "run mine --quiet --set body.cells_around=8 --set body.cells_along=1 ";
+  ASSERT_EQ(snug(coarse).status, 0);
+  fs::create_directories(folder_ / "mine/reference");
+  for (const std::string name : {"displacement.lis", "stress.lis", "nodes.lis"})
+    fs::copy_file(folder_ / "mine/out" / name, folder_ / "mine/reference" / name);
+  const std::string plain = text_of("mine/case.toml");
+  write("mine/case.toml", plain +
+                              "\n[reference]\nnodes = \"reference/nodes.lis\"\n"
+                              "displacement = { file = \"reference/displacement.lis\", relative = 5e-5 }\n"
+                              "stress = { file = \"reference/stress.lis\", relative = 5e-5 }\n");
+  const Outcome same = snug(coarse);
+  EXPECT_EQ(same.status, 0) << same.text;
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/difference_stress.vtu"));
+  EXPECT_NE(text_of("mine/out/comparison.txt").find("by node number"), std::string::npos);
+  EXPECT_EQ(snug("compare mine/out mine/reference --vtu d.vtu").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "d.vtu"));
+
+  const Outcome finer = snug(
+      "run mine --quiet --set body.cells_around=12 --set body.cells_along=1 --set "
+      "reference.displacement.relative=0.02 --set reference.stress.relative=0.5");
+  EXPECT_NE(text_of("mine/out/comparison.txt").find("interpolated in the cells of the result"), std::string::npos);
+  EXPECT_EQ(finer.status, 0) << finer.text;
+
+  const Outcome other = snug(coarse + "--set load.skin_pressure='6 kPa'");
+  EXPECT_EQ(other.status, 1) << other.text;
+  EXPECT_TRUE(holds(other, "OUTSIDE")) << other.text;
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/summary.json"));
+
+  fs::remove(folder_ / "mine/reference/stress.lis");
+  EXPECT_EQ(snug(coarse).status, 2);
+}
+
+}  // namespace
+}  // namespace snug
