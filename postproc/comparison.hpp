@@ -77,7 +77,10 @@ struct Comparison {
 /// Throws input::InputError: a column of the reference that the result lacks, no node in common, coordinates needed.
 Comparison compare(const NodalField& result, const NodalField& reference, const ComparisonOptions& options = {});
 
-/// Tables for a terminal.
-std::string comparison_text(const Comparison& comparison);
+/// Whose worst nodes are listed: those of columns outside their tolerance, or of all.
+enum class Detail { outside, all };
+
+/// Statistics and extremes of every column and the worst nodes, for a terminal.
+std::string comparison_text(const Comparison& comparison, Detail detail = Detail::all);
 
 }  // namespace snug::postproc

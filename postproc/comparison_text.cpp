@@ -1,50 +1,80 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "postproc/comparison.hpp"
 
 namespace snug::postproc {
 namespace {
 
+/// A coordinate that is zero but for round-off is written as zero.
+double rounded(double coordinate) { return std::abs(coordinate) < 1e-9 ? 0.0 : coordinate; }
+
 std::string place_text(const NodePlace& at) {
   if (at.node == 0) return "-";
   if (!at.place.allFinite()) return fmt::format("node {}", at.node);
-  return fmt::format("node {} at {:.5g} {:.5g} {:.5g} m", at.node, at.place.x(), at.place.y(), at.place.z());
+  return fmt::format("node {} at ({:.4g}, {:.4g}, {:.4g}) m", at.node, rounded(at.place.x()), rounded(at.place.y()),
+                     rounded(at.place.z()));
 }
 
-std::string extremes_line(const char* name, const NodePlace& result, const NodePlace& reference) {
-  return fmt::format("    {:<8} result {:.5g} {}; reference {:.5g} {}{}\n", name, result.value, place_text(result),
-                     reference.value, place_text(reference), result.node == reference.node ? "" : " (elsewhere)");
+std::string head(const ColumnComparison& column) {
+  return column.label + (column.unit.empty() ? "" : " [" + column.unit + "]");
 }
 
-std::string column_text(const ColumnComparison& column) {
-  std::string text = fmt::format("\n  {} {}\n", column.label, column.unit.empty() ? "" : "[" + column.unit + "]");
-  text += extremes_line("minimum", column.result_minimum, column.reference_minimum);
-  text += extremes_line("maximum", column.result_maximum, column.reference_maximum);
-  if (column.worst.empty()) return text + "    no node differs\n";
-  text += fmt::format("    {:>12} {:>13} {:>13}  worst nodes\n", "difference", "result", "reference");
+std::string summary_table(const Comparison& comparison) {
+  std::string text = fmt::format("\n  {:<14} {:>11} {:>11} {:>11} {:>11}\n", "difference of", "RMS", "maximum",
+                                 "tolerance", "scale");
+  for (const ColumnComparison& column : comparison.columns) {
+    text += fmt::format("  {:<14} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g}  {}\n", head(column), column.rms,
+                        column.maximum, column.tolerance, column.scale, column.within ? "within" : "OUTSIDE");
+    if (column.unknown > 0)
+      text += fmt::format("  {:<14} {} nodes not compared: the reference has no number there\n", "", column.unknown);
+  }
+  return text;
+}
+
+std::string extreme_line(const std::string& column, const char* name, const NodePlace& result,
+                         const NodePlace& reference) {
+  const std::string where = result.node == reference.node ? "at the same node" : place_text(reference);
+  return fmt::format("  {:<14} {:<4} {:>12.5g}  {:<40} {:>12.5g}  {}\n", column, name, result.value,
+                     place_text(result), reference.value, where);
+}
+
+std::string extremes_table(const Comparison& comparison) {
+  std::string text = fmt::format("\n  {:<14} {:<4} {:>12}  {:<40} {:>12}\n", "extremes of", "", "result", "",
+                                 "reference");
+  for (const ColumnComparison& column : comparison.columns)
+    text += extreme_line(head(column), "min", column.result_minimum, column.reference_minimum) +
+            extreme_line("", "max", column.result_maximum, column.reference_maximum);
+  return text;
+}
+
+std::string worst_table(const ColumnComparison& column) {
+  if (column.worst.empty()) return fmt::format("\n  {}: no node differs\n", head(column));
+  std::string text = fmt::format("\n  worst nodes of {:<10} {:>12} {:>12} {:>12}\n", head(column), "difference", "result",
+                                 "reference");
   for (const WorstNode& node : column.worst)
-    text += fmt::format("    {:>12.4g} {:>13.5g} {:>13.5g}  {}\n", node.at.value, node.result, node.reference,
+    text += fmt::format("  {:<25} {:>12.4g} {:>12.5g} {:>12.5g}  {}\n", "", node.at.value, node.result, node.reference,
                         place_text(node.at));
   return text;
 }
 
 }  // namespace
 
-std::string comparison_text(const Comparison& comparison) {
+std::string comparison_text(const Comparison& comparison, Detail detail) {
   std::string text = fmt::format("result     {}\nreference  {}\n{} nodes {}", comparison.result, comparison.reference,
                                  comparison.compared, comparison.matching);
   if (comparison.largest_gap > 0.0) text += fmt::format(", at most {:.2g} mm away", comparison.largest_gap * 1e3);
   if (comparison.missing > 0) text += fmt::format("; {} nodes have no counterpart", comparison.missing);
-  text += fmt::format("\n\n  {:<12} {:>4} {:>9} {:>11} {:>11} {:>11} {:>11}\n", "column", "", "nodes", "RMS", "maximum",
-                      "scale", "tolerance");
-  for (const ColumnComparison& column : comparison.columns) {
-    text += fmt::format("  {:<12} {:>4} {:>9} {:>11.4g} {:>11.4g} {:>11.4g} {:>11.4g}  {}\n", column.label, column.unit,
-                        column.compared, column.rms, column.maximum, column.scale, column.tolerance,
-                        column.within ? "within" : "OUTSIDE");
-    if (column.unknown > 0)
-      text += fmt::format("  {:<12} {} nodes not compared: the reference has no number there\n", "", column.unknown);
-  }
-  for (const ColumnComparison& column : comparison.columns) text += column_text(column);
+  text += '\n' + summary_table(comparison) + extremes_table(comparison);
+  int kept_back = 0;
+  for (const ColumnComparison& column : comparison.columns)
+    if (detail == Detail::all || !column.within)
+      text += worst_table(column);
+    else if (!column.worst.empty())
+      ++kept_back;
+  if (kept_back > 0)
+    text += fmt::format("\n  {} columns differ within their tolerance: their worst nodes are listed with --all\n", kept_back);
   return text + fmt::format("\n{}\n", comparison.within()      ? "within the tolerance"
                                       : comparison.missing > 0 ? "outside the tolerance: nodes without counterpart"
                                                                : "outside the tolerance");

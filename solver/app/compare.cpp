@@ -54,6 +54,7 @@ class Compare : public Command {
     app.add_option("--stress-unit", stress_unit_, "unit of the reference listing's stresses")->capture_default_str();
     app.add_option("--surface", surface_, "surface of shells that is taken: top, middle or bottom (all)")
         ->check(CLI::IsMember({"top", "middle", "bottom"}));
+    app.add_flag("--all", all_, "list the worst nodes of the columns within their tolerance too");
     app.add_option("--vtu", vtu_, "write result, reference and difference at the nodes")->type_name("FILE");
     app.footer(
         "Exit status: 0 within the tolerance, 1 outside or with nodes that have no counterpart, 2 wrong input.\n"
@@ -69,7 +70,7 @@ class Compare : public Command {
                                           .nodes = reference_nodes_});
     const postproc::Comparison comparison = postproc::compare(result, reference, options());
     write_difference(comparison);
-    fmt::print("{}", postproc::comparison_text(comparison));
+    fmt::print("{}", postproc::comparison_text(comparison, all_ ? postproc::Detail::all : postproc::Detail::outside));
     return comparison.within() ? done : outside_tolerance;
   }
 
@@ -111,6 +112,7 @@ class Compare : public Command {
   std::string result_, reference_, match_ = "automatic", absolute_displacement_, absolute_stress_, within_;
   std::string reference_nodes_, result_nodes_, length_unit_ = "m", stress_unit_ = "Pa", surface_;
   std::string vtu_;
+  bool all_ = false;
   double relative_ = postproc::printed_precision;
   std::vector<std::string> columns_;
 };

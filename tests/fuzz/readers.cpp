@@ -68,7 +68,7 @@ std::vector<Target> targets() {
   return {
       {"listing",
        listing,
-       {text_of(listings / "thesis_displacement.lis"), text_of(listings / "thesis_stress.lis"),
+       {text_of(listings / "shell_displacement.lis"), text_of(listings / "shell_stress.lis"),
         text_of(listings / "ansys_pages.lis")},
        {"NODE", "VALUE", " MINIMUM VALUES\n", "\n", "E-011", "E+060.", "-101", "************", ".....", "TOP/BOTTOM",
         "NaN", "  ELEMENT=       1\n", " PRINT S\n", "1\n", "99999999999", "\t"}},
