@@ -10,8 +10,13 @@ PASCAL_PER_UNIT = {"Pa": 1.0, "kPa": 1e3, "mmHg": 133.322387415, "gf/cm2": 98.06
 # Colour maps that run from light to dark evenly (ColorBrewer YlOrRd and GnBu), white at zero.
 HEAT = ["fffff2", "ffeda0", "fed976", "feb24c", "fd8d3c", "fc4e2a", "e31a1c", "bd0026", "800026"]
 COOL = ["fafffa", "e0f3db", "ccebc5", "a8ddb5", "7bccc4", "4eb3d3", "2b8cbe", "0868ac", "084081"]
-VIEWS = [("front", (0, 1, 0)), ("side", (1, 0, 0)), ("back", (0, -1, 0))]  # frame of the body: x side, y front, z up
+# The colours of the report: viridis (van der Walt & Smith, CC0), dark at zero, over skin that bears nothing in grey.
+VIRIDIS = ["440154", "482878", "3e4989", "31688e", "26828e", "1f9e89", "35b779", "6ece58", "b5de2b", "fde725"]
+PALETTES = {"heat": (HEAT, COOL), "viridis": (VIRIDIS, VIRIDIS)}
+# Frame of the body: x side, y front, z up.
+VIEWS = [("front", (0, 1, 0)), ("side", (1, 0, 0)), ("back", (0, -1, 0)), ("other side", (-1, 0, 0))]
 INK = (0.15, 0.15, 0.15)
+BARE = (0.88, 0.88, 0.88)
 
 
 def rgb(text):
@@ -97,6 +102,10 @@ def colours(table, top):
     function.SetColorSpaceToLab()
     for i, colour in enumerate(table):
         function.AddRGBPoint(top * i / (len(table) - 1), *rgb(colour))
+    if table is VIRIDIS:  # dark at zero: skin that bears nothing stays grey
+        function.AddRGBPoint(0.0, *BARE)
+        function.AddRGBPoint(1e-3 * top, *BARE)
+        function.AddRGBPoint(2e-3 * top, *rgb(table[0]))
     return function
 
 
@@ -219,13 +228,15 @@ def main():
     parser.add_argument("result", type=Path)
     parser.add_argument("--out", type=Path)
     parser.add_argument("--unit", choices=PASCAL_PER_UNIT)
-    parser.add_argument("--width", type=int, default=1500)
+    parser.add_argument("--width", type=int, default=1800)
+    parser.add_argument("--palette", choices=PALETTES, default="heat")
     arguments = parser.parse_args()
 
     body, garment = (last_step(arguments.result / name) for name in ("body.pvd", "garment.pvd"))
     if body is None and garment is None:
         sys.exit(f"error: {arguments.result} holds neither body.pvd nor garment.pvd; name the out/ folder of a run")
 
+    heat, cool = PALETTES[arguments.palette]
     rows = []  # actors, colour function, title
     sheet = surface(garment) if garment else None
     skin = surface(deformed(body)) if body else None
@@ -234,7 +245,7 @@ def main():
         unit = arguments.unit or ("Pa" if largest_inside(skin) < 2000 else "kPa")
         scale(skin, "contact_pressure", PASCAL_PER_UNIT[unit])
         top = round_up(max(largest_inside(skin), 1e-3))
-        function = colours(HEAT, top)
+        function = colours(heat, top)
         over = array_of(skin, "contact_pressure")[0].GetRange()[1]
         note = f"\nhem up to {over:.3g}" if over > top else ""
         actors = [coloured(skin, "contact_pressure", function)] + ([edge] if edge else [])
@@ -242,7 +253,7 @@ def main():
     if sheet:
         # The thread system that carries the garment: the one with the larger maximum.
         top, name = max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
-        function = colours(COOL, round_up(max(top, 1e-3)))
+        function = colours(cool, round_up(max(top, 1e-3)))
         actors = [coloured(sheet, name, function, 40000), edge]
         if skin:
             actors.append(plain(skin, (0.88, 0.86, 0.84)))
@@ -250,16 +261,16 @@ def main():
 
     bounds = (skin or sheet).GetBounds()
     width = arguments.width
-    height = int(width * 0.42 * len(rows))
+    height = int(width * 0.34 * len(rows))
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
     window.SetSize(width, height)
-    size = max(10, width // 70)
+    size = max(10, width // 84)
     for i, (actors, function, title) in enumerate(rows):
         bottom, top = 1 - (i + 1) / len(rows), 1 - i / len(rows)
-        row(window, actors, bounds, bottom, top, 0.82, size)
-        colour_bar(window, function, title, (0.82, bottom, 1.0, top), size)
+        row(window, actors, bounds, bottom, top, 0.86, size)
+        colour_bar(window, function, title, (0.86, bottom, 1.0, top), size)
     window.Render()
 
     image = vtk.vtkWindowToImageFilter()

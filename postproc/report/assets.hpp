@@ -1,0 +1,14 @@
+// Templates, style and scripts of the pages: the files of this folder and of three.js, copied into the program by CMake.
+#pragma once
+
+#include <string_view>
+
+namespace snug::postproc::report {
+
+std::string_view page_template();
+std::string_view map_template();  ///< a part of the pages: the unrolled map
+std::string_view style();
+std::string_view view_script();
+std::string_view three_script();  ///< three.js with its orbit controls (MIT licence)
+
+}  // namespace snug::postproc::report

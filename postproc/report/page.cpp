@@ -1,0 +1,36 @@
+#include "postproc/report/page.hpp"
+
+#include "postproc/report/assets.hpp"
+#include "postproc/report/base64.hpp"
+#include "postproc/report/template.hpp"
+#include "postproc/report/view.hpp"
+
+namespace snug::postproc::report {
+
+namespace {
+
+constexpr double drawing_width = 760.0;  // px of the drawings without their labels
+
+}  // namespace
+
+std::string page(const std::filesystem::path& out, const Pictures& pictures) {
+  const RunFiles run = read_run(out);
+  const PressureScale scale = run.skin ? pressure_scale({&*run.skin}) : PressureScale{};
+  Json view = run_view(run);
+  view["locations"] = locations_view(run);
+  view["has_locations"] = !view["locations"].empty();
+  view["comfort"] = comfort_view(run);
+  view["map"] = map_view(run, scale, drawing_width);
+  if (view["map"].is_object()) view["map"]["id"] = "map-0";
+  view["convergence"] = convergence_view(run, drawing_width);
+  view["has_scene"] = run.skin || run.garment;
+  view["scene"] = view["has_scene"] ? scene_json(run, scale) : "";
+  view["picture"] = base64({reinterpret_cast<const std::uint8_t*>(pictures.png.data()), pictures.png.size()});
+  view["no_picture"] = pictures.png.empty() ? pictures.missing : "";
+  view["style"] = style();
+  view["three"] = view["has_scene"] ? three_script() : "";
+  view["script"] = view_script();
+  return fill(page_template(), view, {{"map_svg", map_template()}});
+}
+
+}  // namespace snug::postproc::report

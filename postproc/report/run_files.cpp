@@ -1,0 +1,79 @@
+#include "postproc/report/run_files.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "cases/input/csv.hpp"
+
+namespace snug::postproc::report {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Json read_json(const fs::path& file) {
+  try {
+    return Json::parse(text_of(file));
+  } catch (const Json::parse_error& error) {
+    throw input::InputError({file.string(), 0, 0}, std::string("this is no JSON: ") + error.what(),
+                            "run the case again");
+  }
+}
+
+std::vector<HistoryRow> read_history(const fs::path& file) {
+  if (!fs::exists(file)) return {};
+  input::Diagnostics diagnostics;
+  const input::Csv csv = input::read_csv(file, diagnostics);
+  const auto column = [&](const char* name) { return input::numbers(csv, name, "", diagnostics); };
+  const auto increment = column("increment"), load = column("load"), residual = column("residual"),
+             complementarity = column("complementarity"), contact = column("contact_nodes");
+  const std::vector<std::string> event = input::texts(csv, "event", diagnostics);
+  diagnostics.throw_if_any();
+  std::vector<HistoryRow> rows;
+  for (std::size_t n = 0; n < load.size(); ++n)
+    rows.push_back({static_cast<int>(increment[n]), load[n], residual[n], complementarity[n],
+                    static_cast<int>(contact[n]), event[n]});
+  return rows;
+}
+
+fs::path without_trailing_slash(const fs::path& path) {
+  const fs::path normal = fs::absolute(path).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+/// "thigh-sleeve" for thigh-sleeve/out: every run in its case directory is called out.
+std::string name_of(const fs::path& out) {
+  const fs::path path = without_trailing_slash(out);
+  return path.filename() == "out" ? path.parent_path().filename().string() : path.filename().string();
+}
+
+}  // namespace
+
+RunFiles read_run(const fs::path& out) {
+  if (!fs::is_regular_file(out / "summary.json"))
+    throw input::InputError({out.string(), 0, 0}, "there is no summary.json here",
+                            "name the directory that a run wrote, such as cases/thigh-sleeve/out");
+  RunFiles run;
+  run.name = name_of(out);
+  run.summary = read_json(out / "summary.json");
+  if (fs::exists(out / "comfort.json")) run.comfort = read_json(out / "comfort.json");
+  run.history = read_history(out / "history.csv");
+  run.echo = text_of(out / "case.echo.toml");
+  try {
+    const auto body = last_grid(out, "body.pvd"), garment = last_grid(out, "garment.pvd");
+    if (body && fs::exists(out / "skin.csv")) run.skin = read_skin(*body, out / "skin.csv");
+    if (run.skin && run.skin->triangles.empty()) run.skin.reset();
+    if (garment) run.garment = read_garment(*garment);
+  } catch (const std::runtime_error& error) {
+    if (dynamic_cast<const input::InputError*>(&error)) throw;
+    throw input::InputError({out.string(), 0, 0}, error.what(), "run the case again");
+  }
+  return run;
+}
+
+}  // namespace snug::postproc::report

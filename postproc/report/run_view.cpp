@@ -1,0 +1,179 @@
+#include <Eigen/Core>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "postproc/report/view.hpp"
+#include "postproc/units.hpp"
+
+namespace snug::postproc::report {
+
+namespace {
+
+std::string seconds_text(double seconds) {
+  if (seconds < 0.05) return "< 0.1 s";
+  if (seconds < 100.0) return fmt::format("{:.1f} s", seconds);
+  return seconds < 5400.0 ? fmt::format("{:.1f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+std::string bytes_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.2f} GB", bytes / 1e9);
+}
+
+std::string pressure_text(double pascal) {
+  return fmt::format("{} gf/cm² · {} mmHg", number(to_gf_cm2(pascal)), number(to_mmHg(pascal)));
+}
+
+/// Named values and how they are shown.
+Json figures_view(const Json& summary) {
+  const Json numbers = summary.value("numbers", Json::object()), balance = summary.value("balance", Json::object());
+  Json figures = Json::array();
+  const auto add = [&](const char* name, double value, double factor, const char* unit, const std::string& note) {
+    if (std::isfinite(value)) figures.push_back({{"name", name}, {"value", number(value * factor)}, {"unit", unit}, {"note", note}});
+  };
+  const double mean = value_at(numbers, "mean_contact_pressure_Pa"), top = value_at(numbers, "max_contact_pressure_Pa"),
+               laplace = value_at(summary, "mean_laplace_pressure_Pa"), contact = value_at(balance, "contact_force_N");
+  add("Mean contact pressure", mean, 1.0, "Pa", pressure_text(mean));
+  add("Largest contact pressure", top, 1.0, "Pa", pressure_text(top) + ", hems included");
+  add("Largest displacement of the skin", value_at(numbers, "max_skin_displacement_m"), 1e3, "mm", "");
+  if (contact > 0.0) {
+    add("Contact force", contact, 1.0, "N", "sum of the amounts over the skin");
+    add("Contact area", value_at(numbers, "contact_area_m2"), 1e4, "cm²", "");
+  }
+  if (laplace > 0.0) add("Law of Laplace", laplace, 1.0, "Pa", "sanity value: tension × curvature, skin undeformed");
+  return figures;
+}
+
+/// Components of a force; those that are round-off of `scale` are zero.
+std::string joined(const Json& vector, double scale) {
+  std::string text;
+  for (const Json& component : vector) {
+    if (!text.empty()) text += ", ";
+    const double value = component.is_number() ? component.get<double>() : std::nan("");
+    text += number(std::abs(value) < 1e-12 * scale ? 0.0 : value);
+  }
+  return text;
+}
+
+double length(const Json& vector) {
+  double sum = 0.0;
+  for (const Json& component : vector)
+    if (component.is_number()) sum += component.get<double>() * component.get<double>();
+  return std::sqrt(sum);
+}
+
+Json balance_view(const Json& summary) {
+  const Json balance = summary.value("balance", Json::object());
+  Json rows = Json::array();
+  const auto add = [&](const std::string& name, const std::string& value, const std::string& note) {
+    rows.push_back({{"name", name}, {"value", value}, {"note", note}});
+  };
+  const double contact = value_at(balance, "contact_force_N");
+  const double force = length(balance.value("force_error_N", Json::array()));
+  add("Sum of all forces", number(force) + " N", contact > 0.0 ? number(force / contact) + " of the contact force" : "");
+  add("Sum of all moments", number(length(balance.value("moment_error_Nm", Json::array()))) + " N m", "about the origin");
+  if (contact > 0.0) {
+    add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
+    add("Penetration", number(1e3 * value_at(summary, "max_penetration_m")) + " mm", "at most");
+  }
+  const Json reactions = balance.value("reactions_N", Json::object());
+  for (const auto& [name, force_vector] : reactions.items()) add("Reaction, " + name, joined(force_vector, contact) + " N", "x, y, z");
+  return rows;
+}
+
+Json phases_view(const Json& summary) {
+  double longest = 1e-12;
+  for (const Json& phase : summary.value("phases", Json::array())) longest = std::max(longest, value_at(phase, "seconds"));
+  Json rows = Json::array();
+  const auto add = [&](const Json& phase, bool part) {
+    const double seconds = value_at(phase, "seconds");
+    rows.push_back({{"name", phase.value("name", "")},
+                    {"time", seconds_text(seconds)},
+                    {"percent", fmt::format("{:.1f}", 100.0 * std::min(1.0, seconds / longest))},
+                    {"part", part}});
+  };
+  for (const Json& phase : summary.value("phases", Json::array())) {
+    add(phase, false);
+    for (const Json& part : phase.value("parts", Json::array())) add(part, true);
+  }
+  return rows;
+}
+
+Json pairs_view(const Json& object) {
+  Json rows = Json::array();
+  for (const auto& [name, value] : object.items())
+    rows.push_back({{"name", name}, {"value", value.is_string() ? value.get<std::string>() : value.dump()}});
+  return rows;
+}
+
+/// "tissue: relaxed thigh" as name and text.
+Json parts_view(const Json& texts) {
+  Json rows = Json::array();
+  for (const Json& entry : texts) {
+    const std::string text = entry.get<std::string>();
+    const std::size_t colon = text.find(": ");
+    rows.push_back(colon == std::string::npos
+                       ? Json{{"name", text}, {"text", ""}}
+                       : Json{{"name", text.substr(0, colon)}, {"text", text.substr(colon + 2)}});
+  }
+  return rows;
+}
+
+Json quality_view(const Json& summary) {
+  Json rows = Json::array();
+  const Json quality = summary.value("mesh_quality", Json::object());
+  for (const auto& [layer, measures] : quality.items())
+    rows.push_back({{"layer", layer},
+                    {"cells", plain(value_at(measures, "cells"))},
+                    {"min_jacobian", number(value_at(measures, "min_scaled_jacobian"))},
+                    {"mean_jacobian", number(value_at(measures, "mean_scaled_jacobian"))},
+                    {"aspect", number(value_at(measures, "max_aspect"))},
+                    {"volume", number(1e6 * value_at(measures, "volume_m3"))}});
+  return rows;
+}
+
+Json unknowns_view(const Json& summary) {
+  Json rows = Json::array();
+  const Json unknowns = summary.value("unknowns", Json::object());
+  for (const auto& [part, count] : unknowns.items())
+    if (count.is_number()) rows.push_back({{"name", part}, {"value", plain(count.get<double>())}});
+  return rows;
+}
+
+}  // namespace
+
+double value_at(const Json& json, const char* key) {
+  const auto it = json.find(key);
+  return it != json.end() && it->is_number() ? it->get<double>() : std::nan("");
+}
+
+Json run_view(const RunFiles& run) {
+  const Json& summary = run.summary;
+  const Json plan = summary.value("plan", Json::object());
+  Json view = {{"title", summary.value("title", run.name)},
+               {"name", run.name},
+               {"tier", summary.value("tier", "")},
+               {"status", summary.value("status", "")},
+               {"message", summary.value("message", "")},
+               {"increments", plain(value_at(summary, "increments"))},
+               {"iterations", plain(value_at(summary, "iterations"))},
+               {"time", seconds_text(value_at(summary, "seconds"))},
+               {"memory", bytes_text(value_at(summary, "peak_memory_bytes"))},
+               {"echo", run.echo}};
+  view["failed"] = view["status"] == "failed";
+  view["partial"] = view["status"] == "partial";
+  view["figures"] = figures_view(summary);
+  view["balance"] = balance_view(summary);
+  view["phases"] = phases_view(summary);
+  view["parts_in"] = parts_view(plan.value("in", Json::array()));
+  view["parts_out"] = parts_view(plan.value("out", Json::array()));
+  view["unknowns"] = unknowns_view(summary);
+  view["quality"] = quality_view(summary);
+  view["versions"] = pairs_view(summary.value("versions", Json::object()));
+  view["hashes"] = pairs_view(summary.value("input_hashes", Json::object()));
+  view["command"] = summary.value("command", "");
+  return view;
+}
+
+}  // namespace snug::postproc::report

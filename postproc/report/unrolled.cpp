@@ -1,0 +1,292 @@
+#include "postproc/report/unrolled.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace snug::postproc::report {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// Nodes in the map's own coordinates: angle (deg) and height (m) of a tube, two lengths (m) of a flat skin.
+struct Chart {
+  std::vector<Vector2d> at;
+  bool tube = true;
+  double girth = 1.0;  ///< m, mean
+};
+
+Vector3d area_vector(const Skin& skin, const Triangle& t) {
+  return 0.5 * (skin.nodes[t[1]] - skin.nodes[t[0]]).cross(skin.nodes[t[2]] - skin.nodes[t[0]]);
+}
+
+/// Columns: two directions across and the axis. A tube's normals are across its axis, and they cancel; a flat skin's
+/// normals are its third direction.
+struct Frame {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  bool tube = true;
+};
+
+Frame frame_of(const Skin& skin) {
+  Vector3d sum = Vector3d::Zero();
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  double area = 0.0;
+  for (const Triangle& t : skin.triangles) {
+    const Vector3d a = area_vector(skin, t);
+    if (!(a.norm() > 0.0)) continue;
+    sum += a, area += a.norm();
+    spread += a * a.transpose() / a.norm();
+  }
+  Frame frame;
+  frame.tube = sum.norm() < 0.5 * area;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  const bool upright = frame.tube ? spread(2, 2) < 0.25 * area : std::abs(sum.z()) > 0.9 * sum.norm();
+  if (upright) return frame;  // the usual frame: x to the side, y to the front, z up
+  const Vector3d third = frame.tube ? Vector3d(solver.eigenvectors().col(0)) : sum.normalized();
+  const Vector3d helper = std::abs(third.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
+  const Vector3d first = helper.cross(third).normalized();
+  frame.axes << first, third.cross(first), third;
+  return frame;
+}
+
+/// Middle of the skin at a height, from slices along the axis, linear between their middles.
+class CentreLine {
+ public:
+  CentreLine(const std::vector<Vector3d>& nodes, const std::vector<Triangle>& triangles) {
+    const auto [low, high] = std::minmax_element(nodes.begin(), nodes.end(),
+                                                 [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    low_ = low->z(), height_ = std::max(high->z() - low_, 1e-12);
+    std::vector<double> weight(slices, 0.0);
+    for (const Triangle& t : triangles) {
+      const Vector3d middle = (nodes[t[0]] + nodes[t[1]] + nodes[t[2]]) / 3.0;
+      const double area = (nodes[t[1]] - nodes[t[0]]).cross(nodes[t[2]] - nodes[t[0]]).norm();
+      const auto slice = static_cast<std::size_t>(std::clamp((middle.z() - low_) / height_ * slices, 0.0, slices - 0.5));
+      sums_[slice] += area * middle, weight[slice] += area;
+    }
+    for (std::size_t s = 0; s < slices; ++s)
+      if (weight[s] > 0.0) middles_.push_back(sums_[s] / weight[s]);
+  }
+
+  Vector2d at(double z) const {
+    if (z <= middles_.front().z()) return middles_.front().head<2>();
+    for (std::size_t i = 0; i + 1 < middles_.size(); ++i) {
+      const Vector3d &a = middles_[i], &b = middles_[i + 1];
+      if (z <= b.z()) return (a + (b - a) * ((z - a.z()) / std::max(b.z() - a.z(), 1e-12))).head<2>();
+    }
+    return middles_.back().head<2>();
+  }
+
+ private:
+  static constexpr std::size_t slices = 24;
+  double low_ = 0.0, height_ = 1.0;
+  std::vector<Vector3d> sums_ = std::vector<Vector3d>(slices, Vector3d::Zero()), middles_;
+};
+
+Chart chart_of(const Skin& skin) {
+  const Frame frame = frame_of(skin);
+  std::vector<Vector3d> nodes;
+  for (const Vector3d& x : skin.nodes) nodes.push_back(frame.axes.transpose() * x);
+  Chart chart;
+  chart.tube = frame.tube;
+  if (!chart.tube) {
+    for (const Vector3d& x : nodes) chart.at.push_back(x.head<2>());
+    return chart;
+  }
+  const CentreLine centre(nodes, skin.triangles);
+  double radii = 0.0;
+  for (const Vector3d& x : nodes) {
+    const Vector2d across = x.head<2>() - centre.at(x.z());
+    radii += across.norm();
+    chart.at.emplace_back(std::atan2(across.y(), across.x()) * 180.0 / std::numbers::pi, x.z());
+  }
+  chart.girth = 2.0 * std::numbers::pi * radii / static_cast<double>(nodes.size());
+  return chart;
+}
+
+double wrapped(double angle, double from) { return angle - 360.0 * std::floor((angle - from) / 360.0); }
+
+/// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location; the back if all are
+/// alike. A location is divided where it lies on both sides of the cut.
+double best_cut(const Skin& skin, const Chart& chart) {
+  constexpr double reach = 15.0;
+  double best = -90.0;
+  long fewest = -1;
+  for (int step = 0; step < 24; ++step) {
+    const double cut = -90.0 + 15.0 * step;
+    std::vector<long> before(skin.locations.size(), 0), after = before;
+    for (const Triangle& t : skin.triangles) {
+      const int location = skin.location[t[0]];
+      if (location < 0 || skin.location[t[1]] != location || skin.location[t[2]] != location) continue;
+      const double angle = wrapped(chart.at[t[0]].x() - cut, -180.0);
+      if (std::abs(angle) < reach) ++(angle < 0.0 ? before : after)[location];
+    }
+    long divided = 0;
+    for (std::size_t l = 0; l < before.size(); ++l) divided += std::min(before[l], after[l]);
+    if (fewest < 0 || divided < fewest) fewest = divided, best = cut;
+  }
+  return best > 90.0 ? best - 360.0 : best;
+}
+
+/// The sheet to draw: triangles over the cut are drawn at both ends, with nodes of their own.
+struct Drawing {
+  Sheet sheet;
+  std::vector<int> node;  ///< of the skin, a point of the sheet
+  template <class Value>
+  std::vector<double> values(const Value& value) const {
+    std::vector<double> result;
+    for (const int n : node) result.push_back(value(n));
+    return result;
+  }
+};
+
+class Drawer {
+ public:
+  Drawer(const Skin& skin, const Chart& chart, double width) : chart_(chart) {
+    double low = 1e300, high = -1e300, left = 1e300, right = -1e300;
+    for (const Vector2d& at : chart.at) {
+      low = std::min(low, at.y()), high = std::max(high, at.y());
+      left = std::min(left, at.x()), right = std::max(right, at.x());
+    }
+    from_ = chart.tube ? best_cut(skin, chart) : left;
+    low_ = low, high_ = high;
+    across_ = width / (chart.tube ? 360.0 : std::max(right - left, 1e-12));
+    const double metres = chart.tube ? chart.girth : right - left;
+    along_ = width / std::max(metres, 1e-12);
+    const double drawn = (high - low) * along_, bounded = std::clamp(drawn, 0.22 * width, 0.8 * width);
+    along_ *= bounded / std::max(drawn, 1e-12);
+    width_ = width, height_ = bounded;
+  }
+
+  Vector2d place(double across, double along) const {
+    return {(across - from_) * across_, height_ - (along - low_) * along_};
+  }
+
+  Drawing draw(const Skin& skin) const {
+    Drawing drawing;
+    std::array<std::vector<int>, 2> copies;  // points of the sheet: on this side of the cut, and one turn on
+    copies[0].assign(skin.nodes.size(), -1), copies[1] = copies[0];
+    const auto point = [&](int n, double angle) {
+      int& index = copies[angle >= from_ + 360.0 ? 1 : 0][n];
+      if (index < 0) {
+        index = static_cast<int>(drawing.node.size());
+        drawing.sheet.points.push_back(place(angle, chart_.at[n].y()));
+        drawing.node.push_back(n);
+      }
+      return index;
+    };
+    for (const Triangle& t : skin.triangles) {
+      std::array<double, 3> angle{};
+      for (int i = 0; i < 3; ++i) angle[i] = chart_.tube ? wrapped(chart_.at[t[i]].x(), from_) : chart_.at[t[i]].x();
+      const bool cut = chart_.tube && *std::max_element(angle.begin(), angle.end()) -
+                                              *std::min_element(angle.begin(), angle.end()) > 180.0;
+      Triangle triangle{};
+      for (int i = 0; i < 3; ++i) {
+        if (cut && angle[i] < from_ + 180.0) angle[i] += 360.0;
+        triangle[i] = point(t[i], angle[i]);
+      }
+      drawing.sheet.triangles.push_back(triangle);
+      if (cut) add_before(t, angle, drawing);
+    }
+    return drawing;
+  }
+
+  std::vector<MapTick> across_ticks() const {
+    std::vector<MapTick> result;
+    if (!chart_.tube) {
+      for (const double x : ticks(from_ * 1e3, (from_ + width_ / across_) * 1e3, 8))
+        result.push_back({place(x / 1e3, 0.0).x(), plain(x)});
+      return result;
+    }
+    for (double angle = std::ceil(from_ / 45.0) * 45.0; angle <= from_ + 360.0; angle += 45.0) {
+      const int quarter = static_cast<int>(wrapped(angle, 0.0)) / 90;
+      const bool named = std::fmod(std::abs(angle), 90.0) == 0.0;
+      const char* const names[] = {"side (+x)", "front (+y)", "side (−x)", "back (−y)"};
+      result.push_back({place(angle, 0.0).x(), plain(angle) + "°" + (named ? std::string(" ") + names[quarter] : "")});
+    }
+    return result;
+  }
+
+  std::vector<MapTick> along_ticks() const {
+    std::vector<MapTick> result;
+    for (const double z : ticks(low_ * 1e3, high_ * 1e3, 7)) result.push_back({place(0.0, z / 1e3).y(), plain(z)});
+    return result;
+  }
+
+  double width() const { return width_; }
+  double height() const { return height_; }
+  double from() const { return from_; }
+
+ private:
+  /// The copy of a triangle over the cut that begins before the left end.
+  void add_before(const Triangle& t, const std::array<double, 3>& angle, Drawing& drawing) const {
+    Triangle triangle{};
+    for (int i = 0; i < 3; ++i) {
+      triangle[i] = static_cast<int>(drawing.node.size());
+      drawing.sheet.points.push_back(place(angle[i] - 360.0, chart_.at[t[i]].y()));
+      drawing.node.push_back(t[i]);
+    }
+    drawing.sheet.triangles.push_back(triangle);
+  }
+
+  const Chart& chart_;
+  double from_ = 0.0, low_ = 0.0, high_ = 0.0, across_ = 1.0, along_ = 1.0, width_ = 0.0, height_ = 0.0;
+};
+
+std::vector<MapPatch> patches(const Skin& skin, const Drawing& drawing, const Drawer& drawer) {
+  std::vector<MapPatch> result;
+  for (std::size_t l = 0; l < skin.locations.size(); ++l) {
+    MapPatch patch;
+    patch.name = skin.locations[l];
+    const auto inside = drawing.values([&](int n) { return skin.location[n] == static_cast<int>(l) ? 1.0 : 0.0; });
+    patch.path = region_path(drawing.sheet, inside, 0.5);
+    long count = 0;
+    for (std::size_t n = 0; n < inside.size(); ++n) {
+      const double x = drawing.sheet.points[n].x();
+      if (inside[n] < 0.5 || x < 0.0 || x > drawer.width()) continue;
+      patch.x += x, patch.y += drawing.sheet.points[n].y(), ++count;
+    }
+    if (count == 0) continue;
+    patch.x /= static_cast<double>(count), patch.y /= static_cast<double>(count);
+    result.push_back(patch);
+  }
+  return result;
+}
+
+}  // namespace
+
+UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
+  const Chart chart = chart_of(skin);
+  const Drawer drawer(skin, chart, width);
+  const Drawing drawing = drawer.draw(skin);
+  UnrolledMap map;
+  map.width = drawer.width(), map.height = drawer.height();
+  map.unrolled = chart.tube;
+  map.across = drawer.across_ticks(), map.along = drawer.along_ticks();
+  map.across_name = chart.tube ? "angle round the body" : "across [mm]";
+  map.along_name = chart.tube ? "height [mm]" : "along [mm]";
+  map.skin = region_path(drawing.sheet, drawing.values([](int) { return 1.0; }), 0.5);
+  map.edge = region_path(drawing.sheet, drawing.values([&](int n) { return skin.coverage[n]; }), 0.5);
+  const auto pressure = drawing.values([&](int n) { return skin.pressure[n]; });
+  for (int band = 0; band < scale.bands; ++band) {
+    const double level = band > 0 ? scale.level(band) : 1e-3 * scale.top;  // skin without contact is not of the scale
+    std::string path = region_path(drawing.sheet, pressure, level);
+    if (!path.empty()) map.bands.emplace_back(scale.band_colour(band), std::move(path));
+  }
+  map.patches = patches(skin, drawing, drawer);
+  const auto peak = std::max_element(skin.pressure.begin(), skin.pressure.end()) - skin.pressure.begin();
+  const Vector2d at = chart.at[peak];
+  const double angle = chart.tube ? wrapped(at.x(), drawer.from()) : at.x();
+  const Vector2d place = drawer.place(angle, at.y());
+  map.largest_x = place.x(), map.largest_y = place.y();
+  map.largest_place = chart.tube ? fmt::format("at {}°, height {} mm", plain(std::round(angle)), plain(std::round(1e3 * at.y())))
+                                 : fmt::format("at {} mm across, {} mm along", plain(std::round(1e3 * at.x())), plain(std::round(1e3 * at.y())));
+  return map;
+}
+
+}  // namespace snug::postproc::report

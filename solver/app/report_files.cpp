@@ -1,0 +1,44 @@
+#include "solver/app/report_files.hpp"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "solver/app/study/child_process.hpp"
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+void write_report(const fs::path& out, const postproc::report::Pictures& pictures) {
+  const std::string page = postproc::report::page(out, pictures);
+  const fs::path target = out / "report.html", aside = out / "report.html.part";
+  std::ofstream file(aside, std::ios::binary);
+  file << page;
+  file.close();
+  if (!file) throw std::runtime_error("report.html cannot be written into " + out.string());
+  fs::rename(aside, target);
+}
+
+postproc::report::Pictures draw_pictures(const fs::path& out) {
+  const fs::path script = fs::path(SNUG_SOURCE_DIR) / "scripts" / "picture.py";
+  const std::string remedy = " `scripts/setup --pictures` installs what draws them, `snug report` puts them in.";
+  if (!fs::exists(script)) return {{}, "scripts/picture.py is not where the program was built."};
+  const fs::path png = fs::temp_directory_path() / ("snug-picture-" + std::to_string(::getpid()) + ".png");
+  const ChildOutcome outcome =
+      run_child({"xvfb-run", "--auto-servernum", "/usr/bin/python3", script.string(), fs::absolute(out).string(), "--out",
+                 png.string(), "--palette", "viridis"},
+                fs::temp_directory_path());
+  std::ifstream file(png, std::ios::binary);
+  postproc::report::Pictures pictures{{std::istreambuf_iterator<char>(file), {}}, {}};
+  fs::remove(png);
+  if (outcome.status == 0 && !pictures.png.empty()) return pictures;
+  if (outcome.status == 127) return {{}, "xvfb-run or Python is not installed." + remedy};
+  const std::size_t last = outcome.output.find_last_not_of(" \n");
+  const std::string text = outcome.output.substr(0, last + 1);
+  return {{}, "drawing them failed (" + text.substr(text.rfind('\n') + 1) + ")." + remedy};
+}
+
+}  // namespace snug::app

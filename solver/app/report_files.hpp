@@ -1,0 +1,17 @@
+// report.html beside the results, and its pictures.
+#pragma once
+
+#include <filesystem>
+
+#include "postproc/report/page.hpp"
+
+namespace snug::app {
+
+/// Writes report.html into `out`, aside and renamed. Throws input::InputError when `out` holds no results.
+void write_report(const std::filesystem::path& out, const postproc::report::Pictures& pictures);
+
+/// Pressure and tension from four sides, drawn by VTK in a process of its own under a virtual display (Debian's VTK
+/// aborts without one). Where that cannot be done, says why.
+postproc::report::Pictures draw_pictures(const std::filesystem::path& out);
+
+}  // namespace snug::app
