@@ -142,6 +142,7 @@ void write_summary(std::ostream& out, const RunResult& run, const Evaluation& ev
   json["linear_solver"] = object(run.linear_solver);
   json["peak_memory_bytes"] = run.peak_memory;
   json["mesh_quality"] = object(provenance.mesh_quality);
+  json["command"] = provenance.command;
   json["versions"] = object(provenance.versions);
   json["input_hashes"] = object(provenance.input_hashes);
   out << text_of(json);

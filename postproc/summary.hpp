@@ -12,6 +12,7 @@ namespace snug::postproc {
 
 /// What the result does not know itself and the summary records beside it.
 struct Provenance {
+  std::string command;                                                ///< as typed
   std::map<std::string, std::string> versions;                        ///< library or program -> version
   std::map<std::string, std::string> input_hashes;                    ///< input file -> hash
   std::map<std::string, std::map<std::string, double>> mesh_quality;  ///< layer or part -> measure -> value

@@ -6,6 +6,7 @@
 namespace snug::postproc::report {
 
 std::string_view page_template();
+std::string_view comparison_template();
 std::string_view map_template();  ///< a part of the pages: the unrolled map
 std::string_view style();
 std::string_view view_script();

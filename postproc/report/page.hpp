@@ -17,4 +17,8 @@ struct Pictures {
 /// result of a run.
 std::string page(const std::filesystem::path& out, const Pictures& pictures);
 
+/// A page that puts several results side by side: figures and their differences from the first, what differs in the
+/// cases, pressures by location, comfort, maps with one scale of colour. Needs one at least; throws as `page` does.
+std::string comparison_page(const std::vector<std::filesystem::path>& outs);
+
 }  // namespace snug::postproc::report

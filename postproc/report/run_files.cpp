@@ -64,6 +64,7 @@ RunFiles read_run(const fs::path& out) {
   if (fs::exists(out / "comfort.json")) run.comfort = read_json(out / "comfort.json");
   run.history = read_history(out / "history.csv");
   run.echo = text_of(out / "case.echo.toml");
+  run.comparison = text_of(out / "comparison.txt");
   try {
     const auto body = last_grid(out, "body.pvd"), garment = last_grid(out, "garment.pvd");
     if (body && fs::exists(out / "skin.csv")) run.skin = read_skin(*body, out / "skin.csv");

@@ -25,7 +25,7 @@ struct RunFiles {
   std::string name;                 ///< of the directory, to tell runs apart
   Json summary, comfort;            ///< comfort: null without comfort.json
   std::vector<HistoryRow> history;
-  std::string echo;                 ///< case.echo.toml
+  std::string echo, comparison;     ///< case.echo.toml, comparison.txt; empty where there is none
   std::optional<Skin> skin;         ///< none: the scene has no body
   std::optional<Garment> garment;   ///< none: the scene has no garment
 };

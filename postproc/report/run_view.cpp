@@ -160,6 +160,7 @@ Json run_view(const RunFiles& run) {
                {"iterations", plain(value_at(summary, "iterations"))},
                {"time", seconds_text(value_at(summary, "seconds"))},
                {"memory", bytes_text(value_at(summary, "peak_memory_bytes"))},
+               {"comparison", run.comparison},
                {"echo", run.echo}};
   view["failed"] = view["status"] == "failed";
   view["partial"] = view["status"] == "partial";

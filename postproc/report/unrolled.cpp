@@ -111,12 +111,17 @@ Chart chart_of(const Skin& skin) {
 
 double wrapped(double angle, double from) { return angle - 360.0 * std::floor((angle - from) / 360.0); }
 
-/// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location; the back if all are
-/// alike. A location is divided where it lies on both sides of the cut.
+/// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location (it lies on both sides) and
+/// touches the fewest of any; the back if all are alike.
 double best_cut(const Skin& skin, const Chart& chart) {
-  constexpr double reach = 15.0;
+  double reach = 15.0;  // deg; what lies nearer to the cut touches it
+  for (const Triangle& t : skin.triangles)
+    for (const int i : {1, 2}) {
+      const double width = std::abs(wrapped(chart.at[t[i]].x() - chart.at[t[0]].x(), -180.0));
+      if (width < 45.0) reach = std::max(reach, 1.01 * width);
+    }
   double best = -90.0;
-  long fewest = -1;
+  std::pair<long, long> fewest{-1, -1};  // divided, touched
   for (int step = 0; step < 24; ++step) {
     const double cut = -90.0 + 15.0 * step;
     std::vector<long> before(skin.locations.size(), 0), after = before;
@@ -126,9 +131,10 @@ double best_cut(const Skin& skin, const Chart& chart) {
       const double angle = wrapped(chart.at[t[0]].x() - cut, -180.0);
       if (std::abs(angle) < reach) ++(angle < 0.0 ? before : after)[location];
     }
-    long divided = 0;
-    for (std::size_t l = 0; l < before.size(); ++l) divided += std::min(before[l], after[l]);
-    if (fewest < 0 || divided < fewest) fewest = divided, best = cut;
+    std::pair<long, long> count{0, 0};
+    for (std::size_t l = 0; l < before.size(); ++l)
+      count.first += std::min(before[l], after[l]), count.second += before[l] + after[l];
+    if (fewest.first < 0 || count < fewest) fewest = count, best = cut;
   }
   return best > 90.0 ? best - 360.0 : best;
 }

@@ -151,7 +151,9 @@
     bar.innerHTML = "";
     const add = (tag, text, place) => Object.assign(bar.appendChild(document.createElement(tag)), { textContent: text }).style.top = place;
     add("b", title + " [" + unit + "]", "");
-    for (let i = 0; i <= 4; ++i) add("span", String(+((top * (4 - i)) / 4).toPrecision(3)), 25 * i + "%");
+    const least = top / 5, power = Math.pow(10, Math.floor(Math.log10(least)));
+    const step = [1, 2, 2.5, 5, 10].map((s) => s * power).find((s) => s >= least * (1 - 1e-9));
+    for (let value = 0; value <= top * (1 + 1e-9); value += step) add("span", String(+value.toPrecision(4)), 100 * (1 - value / top) + "%");
   }
   function show(what) {
     const tension = what === "garment";

@@ -16,8 +16,6 @@
 
 namespace snug::app {
 
-namespace {
-
 std::vector<std::string> own_arguments() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   const std::string all((std::istreambuf_iterator<char>(file)), {});
@@ -29,6 +27,8 @@ std::vector<std::string> own_arguments() {
   }
   return arguments;
 }
+
+namespace {
 
 // More ranks than cores are the user's choice; a container's only user is often root, which Open MPI has to be told.
 std::vector<std::string> mpirun_line(int ranks) {

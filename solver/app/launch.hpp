@@ -1,7 +1,13 @@
 // The program on several ranks.
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace snug::app {
+
+/// The words that started this process, the program first.
+std::vector<std::string> own_arguments();
 
 /// How many ranks mpirun has started this process with; 1 without mpirun.
 int launched_ranks();

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "solver/app/launch.hpp"
+
 namespace snug::app {
 
 namespace fs = std::filesystem;
@@ -35,10 +37,23 @@ std::vector<fs::path> input_files(const input::Case& description) {
   return files;
 }
 
+/// As typed, for a shell; under mpirun without mpirun.
+std::string command_line() {
+  std::string text = "snug";
+  const std::vector<std::string> words = own_arguments();
+  for (std::size_t w = 1; w < words.size(); ++w) {
+    const bool bare = words[w].find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                                                 "-_=./:,+") == std::string::npos;
+    text += bare ? " " + words[w] : " '" + words[w] + "'";
+  }
+  return text;
+}
+
 }  // namespace
 
 postproc::Provenance provenance_of(const PreparedCase& prepared) {
   postproc::Provenance provenance;
+  provenance.command = command_line();
   provenance.versions = {{"snug", SNUG_VERSION}, {"compiler", __VERSION__}, {"blas", solver::loaded_blas()}};
   const fs::path directory = prepared.description.directory.lexically_normal();
   for (const fs::path& file : input_files(prepared.description))

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 
+#include "cases/input/diagnostics.hpp"
 #include "postproc/report/page.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/report_files.hpp"
@@ -21,10 +21,16 @@ class Report : public Command {
 
   void declare(CLI::App& app) override {
     app.add_option("OUT", results_, "directories that runs wrote")->required();
+    app.add_flag("--compare", compare_, "one page that puts the results side by side, compare.html");
+    app.add_option("--out", file_, "where the page of --compare goes (compare.html)")->type_name("FILE");
     app.add_flag("--no-pictures", no_pictures_, "leave the pictures from four sides out (they take a few seconds)");
   }
 
   int execute() override {
+    if (compare_) return compare();
+    if (!file_.empty())
+      throw input::InputError({"--out", 0, 0}, "only the page of --compare has a place of its own",
+                              "leave --out out: report.html goes beside the results");
     for (const fs::path out : results_) {
       write_report(out, no_pictures_ ? left_out() : draw_pictures(out));
       fmt::print("{}\n", (out / "report.html").string());
@@ -33,9 +39,20 @@ class Report : public Command {
   }
 
  private:
+  int compare() const {
+    if (results_.size() < 2)
+      throw input::InputError({"--compare", 0, 0}, "there is one result to compare", "name two or more");
+    const fs::path file = file_.empty() ? "compare.html" : fs::path(file_);
+    write_page(postproc::report::comparison_page({results_.begin(), results_.end()}), file);
+    fmt::print("{}\n", file.string());
+    return done;
+  }
+
   static postproc::report::Pictures left_out() { return {{}, "they were left out (--no-pictures)."}; }
 
   std::vector<std::string> results_;
+  std::string file_;
+  bool compare_ = false;
   bool no_pictures_ = false;
 };
 

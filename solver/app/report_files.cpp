@@ -12,14 +12,18 @@ namespace snug::app {
 
 namespace fs = std::filesystem;
 
+void write_page(const std::string& page, const fs::path& file) {
+  fs::path aside = file;
+  aside += ".part";
+  std::ofstream out(aside, std::ios::binary);
+  out << page;
+  out.close();
+  if (!out) throw std::runtime_error(file.string() + " cannot be written");
+  fs::rename(aside, file);
+}
+
 void write_report(const fs::path& out, const postproc::report::Pictures& pictures) {
-  const std::string page = postproc::report::page(out, pictures);
-  const fs::path target = out / "report.html", aside = out / "report.html.part";
-  std::ofstream file(aside, std::ios::binary);
-  file << page;
-  file.close();
-  if (!file) throw std::runtime_error("report.html cannot be written into " + out.string());
-  fs::rename(aside, target);
+  write_page(postproc::report::page(out, pictures), out / "report.html");
 }
 
 postproc::report::Pictures draw_pictures(const fs::path& out) {

@@ -18,6 +18,7 @@
 #include "solver/app/progress.hpp"
 #include "solver/app/provenance.hpp"
 #include "solver/app/regression.hpp"
+#include "solver/app/report_files.hpp"
 
 namespace snug::app {
 
@@ -73,6 +74,8 @@ class Run : public Command {
     app.add_option("--out", out_, "where the results go (out/ in the case directory)")->type_name("DIR");
     app.add_option("--ranks", ranks_, "processes that share the work: snug starts itself again under mpirun (1)")
         ->check(CLI::Range(1, 4096));
+    app.add_flag("--pictures", pictures_, "also draw the body from four sides for report.html (takes a few seconds)");
+    app.add_flag("--no-report", no_report_, "leave report.html out");
     app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
   }
 
@@ -140,9 +143,20 @@ class Run : public Command {
                                : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
     write_all(run, evaluation, prepared, out);
     const int regression = run.status == "failed" ? done : regress(references, out);
+    if (!no_report_) report(out);
     out.commit();
     say(final_text(run, evaluation, out.target()) + verdict_);
     return std::max(status_of(run, directory), regression);
+  }
+
+  /// A page that cannot be made does not cost the results.
+  void report(OutputDirectory& out) const {
+    try {
+      write_report(out.aside(), pictures_ ? draw_pictures(out.aside())
+                                          : postproc::report::Pictures{{}, "`snug report` draws them in a few seconds."});
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "snug: warning: report.html is missing: {}\n", error.what());
+    }
   }
 
   /// Status of the comparison with the case's own tables. What is wrong with it does not cost the results.
@@ -178,7 +192,7 @@ class Run : public Command {
   CaseOptions options_;
   std::string out_;
   int ranks_ = 1;
-  bool quiet_ = false;
+  bool quiet_ = false, pictures_ = false, no_report_ = false;
   bool writes_ = true;  ///< rank 0
   std::string verdict_;  ///< of the last comparison
   std::unique_ptr<SolverSession> session_;

@@ -36,6 +36,7 @@ std::vector<std::string> command_line(const fs::path& directory, const CaseOptio
                                     "run",
                                     fs::absolute(directory).string(),
                                     "--quiet",
+                                    "--no-report",
                                     "--out",
                                     fs::absolute(out).string()};
   for (const std::string& set : options.overrides) words.push_back("--set"), words.push_back(set);
