@@ -1,4 +1,5 @@
-// Templates, style and scripts of the pages: the files of this folder and of three.js, copied into the program by CMake.
+// Templates, style and scripts of the pages: the files of this folder and of three.js, copied into the program by
+// CMake.
 #pragma once
 
 #include <string_view>

@@ -28,6 +28,9 @@ std::string difference(double value, double first) {
   return fmt::format("{}{:.1f} %", percent < -0.05 ? "−" : percent > 0.05 ? "+" : "", std::abs(percent));
 }
 
+/// Counts wholly, other numbers to three digits.
+std::string shown(double value) { return value == std::floor(value) ? plain(value) : number(value); }
+
 /// A row with a value a run.
 template <class ValueOf>
 Json row_of(const std::string& name, const std::string& unit, const Runs& runs, double factor, ValueOf value_of) {
@@ -35,7 +38,7 @@ Json row_of(const std::string& name, const std::string& unit, const Runs& runs, 
   const double first = value_of(runs.front());
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const double value = value_of(runs[r]);
-    cells.push_back({{"value", number(factor * value)}, {"difference", r == 0 ? "" : difference(value, first)}});
+    cells.push_back({{"value", shown(factor * value)}, {"difference", r == 0 ? "" : difference(value, first)}});
   }
   return {{"name", name}, {"unit", unit}, {"cells", cells}};
 }
@@ -88,7 +91,8 @@ Json locations_rows(const Runs& runs) {
   std::vector<std::string> names;
   for (const RunFiles& run : runs)
     for (const Json& row : run.summary.value("locations", Json::array()))
-      if (const std::string name = row.value("location", ""); std::find(names.begin(), names.end(), name) == names.end())
+      if (const std::string name = row.value("location", "");
+          std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
   Json rows = Json::array();
   for (const std::string& name : names) {
@@ -107,7 +111,8 @@ Json locations_rows(const Runs& runs) {
   return rows;
 }
 
-/// "garment.fabric" -> "\"N85L15\"" of the lines of case.echo.toml; tables of a list are counted: body.layers.2.material.
+/// "garment.fabric" -> "\"N85L15\"" of the lines of case.echo.toml; tables of a list are counted:
+/// body.layers.2.material.
 std::vector<std::pair<std::string, std::string>> settings_of(const std::string& echo) {
   std::vector<std::pair<std::string, std::string>> settings;
   std::map<std::string, int> counts;
@@ -185,7 +190,9 @@ std::string comparison_page(const std::vector<fs::path>& outs) {
     title += (title.empty() ? "" : " · ") + run.name;
     names.push_back({{"name", run.name}});
     if (run.summary.value("status", "") != "converged")
-      warnings.push_back({{"name", run.name}, {"status", run.summary.value("status", "")}, {"message", run.summary.value("message", "")}});
+      warnings.push_back({{"name", run.name},
+                          {"status", run.summary.value("status", "")},
+                          {"message", run.summary.value("message", "")}});
     Json comfort = comfort_view(run);
     if (comfort.is_null()) continue;
     comfort["name"] = run.name;

@@ -23,7 +23,8 @@ Json bar_view(const PressureScale& scale, double height, double over) {
   const double band = height / scale.bands;
   Json bands = Json::array(), labels = Json::array();
   for (int b = 0; b < scale.bands; ++b)
-    bands.push_back({{"y", pixels(height - (b + 1) * band)}, {"height", pixels(band + 0.5)}, {"colour", scale.band_colour(b)}});
+    bands.push_back(
+        {{"y", pixels(height - (b + 1) * band)}, {"height", pixels(band + 0.5)}, {"colour", scale.band_colour(b)}});
   const int every = scale.bands > 6 ? 2 : 1;
   for (int b = 0; b <= scale.bands; b += every)
     labels.push_back({{"y", pixels(height - b * band)}, {"text", plain(scale.level(b) / scale.factor)}});
@@ -106,10 +107,11 @@ Json convergence_view(const RunFiles& run, double width) {
     const std::string x = pixels(across * static_cast<double>(n));
     if (begins && n > 0) marks.push_back({{"x", pixels(across * (static_cast<double>(n) - 0.5))}});
     path += x + "," + pixels(y(row.residual)) + " ";
-    rows.push_back({{"x", x}, {"y", pixels(y(row.residual))},
-                    {"text", fmt::format("increment {}, load {:.4g}: residual {:.2e}, {} nodes in contact{}", row.increment,
-                                         row.load, row.residual, row.contact_nodes,
-                                         row.event.empty() ? "" : ", " + row.event)}});
+    rows.push_back(
+        {{"x", x},
+         {"y", pixels(y(row.residual))},
+         {"text", fmt::format("increment {}, load {:.4g}: residual {:.2e}, {} nodes in contact{}", row.increment,
+                              row.load, row.residual, row.contact_nodes, row.event.empty() ? "" : ", " + row.event)}});
   }
   close(path);
   Json levels = Json::array();
@@ -119,10 +121,19 @@ Json convergence_view(const RunFiles& run, double width) {
   Json iterations = Json::array();
   for (const double n : ticks(0.0, static_cast<double>(run.history.size() - 1), 12))
     if (n == std::floor(n)) iterations.push_back({{"x", pixels(across * n)}, {"text", plain(n)}});
-  return {{"lines", lines}, {"marks", marks}, {"rows", rows}, {"levels", levels}, {"iterations", iterations},
-          {"width", pixels(width)}, {"height", pixels(height)}, {"box_width", pixels(width + 110.0)},
-          {"box_height", pixels(height + 60.0)}, {"middle_x", pixels(0.5 * width)}, {"middle_y", pixels(0.5 * height)},
-          {"first", number(run.history.front().residual)}, {"last", number(run.history.back().residual)}};
+  return {{"lines", lines},
+          {"marks", marks},
+          {"rows", rows},
+          {"levels", levels},
+          {"iterations", iterations},
+          {"width", pixels(width)},
+          {"height", pixels(height)},
+          {"box_width", pixels(width + 110.0)},
+          {"box_height", pixels(height + 60.0)},
+          {"middle_x", pixels(0.5 * width)},
+          {"middle_y", pixels(0.5 * height)},
+          {"first", number(run.history.front().residual)},
+          {"last", number(run.history.back().residual)}};
 }
 
 }  // namespace snug::postproc::report

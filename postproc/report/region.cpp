@@ -68,8 +68,7 @@ Triangle turned(const Sheet& sheet, const Triangle& t) {
 }
 
 /// The corners of a triangle's part at or above the level.
-std::vector<Pixel> clipped(const Sheet& sheet, const std::vector<double>& values, const Triangle& given,
-                           double level) {
+std::vector<Pixel> clipped(const Sheet& sheet, const std::vector<double>& values, const Triangle& given, double level) {
   const Triangle triangle = turned(sheet, given);
   std::vector<Pixel> corners;
   for (int i = 0; i < 3; ++i) {

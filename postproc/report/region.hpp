@@ -17,8 +17,8 @@ struct Sheet {
 };
 
 /// Outline of the region value >= level, the field linear in each triangle: closed loops "M x,y l ... z" with a
-/// resolution of a tenth of a pixel, to be filled by the even-odd rule. Edges that two triangles share are not drawn, so
-/// that the region has no seams. Empty where the field stays below the level.
+/// resolution of a tenth of a pixel, to be filled by the even-odd rule. Edges that two triangles share are not drawn,
+/// so that the region has no seams. Empty where the field stays below the level.
 std::string region_path(const Sheet& sheet, const std::vector<double>& values, double level);
 
 }  // namespace snug::postproc::report

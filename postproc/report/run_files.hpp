@@ -22,12 +22,12 @@ struct HistoryRow {
 };
 
 struct RunFiles {
-  std::string name;                 ///< of the directory, to tell runs apart
-  Json summary, comfort;            ///< comfort: null without comfort.json
+  std::string name;       ///< of the directory, to tell runs apart
+  Json summary, comfort;  ///< comfort: null without comfort.json
   std::vector<HistoryRow> history;
-  std::string echo, comparison;     ///< case.echo.toml, comparison.txt; empty where there is none
-  std::optional<Skin> skin;         ///< none: the scene has no body
-  std::optional<Garment> garment;   ///< none: the scene has no garment
+  std::string echo, comparison;    ///< case.echo.toml, comparison.txt; empty where there is none
+  std::optional<Skin> skin;        ///< none: the scene has no body
+  std::optional<Garment> garment;  ///< none: the scene has no garment
 };
 
 /// Reads summary.json and what there is beside it. Throws input::InputError when `out` is no result of a run or a file

@@ -1,5 +1,5 @@
-#include <Eigen/Core>
 #include <fmt/format.h>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,8 @@ Json figures_view(const Json& summary) {
   const Json numbers = summary.value("numbers", Json::object()), balance = summary.value("balance", Json::object());
   Json figures = Json::array();
   const auto add = [&](const char* name, double value, double factor, const char* unit, const std::string& note) {
-    if (std::isfinite(value)) figures.push_back({{"name", name}, {"value", number(value * factor)}, {"unit", unit}, {"note", note}});
+    if (std::isfinite(value))
+      figures.push_back({{"name", name}, {"value", number(value * factor)}, {"unit", unit}, {"note", note}});
   };
   const double mean = value_at(numbers, "mean_contact_pressure_Pa"), top = value_at(numbers, "max_contact_pressure_Pa"),
                laplace = value_at(summary, "mean_laplace_pressure_Pa"), contact = value_at(balance, "contact_force_N");
@@ -71,20 +72,24 @@ Json balance_view(const Json& summary) {
   };
   const double contact = value_at(balance, "contact_force_N");
   const double force = length(balance.value("force_error_N", Json::array()));
-  add("Sum of all forces", number(force) + " N", contact > 0.0 ? number(force / contact) + " of the contact force" : "");
-  add("Sum of all moments", number(length(balance.value("moment_error_Nm", Json::array()))) + " N m", "about the origin");
+  add("Sum of all forces", number(force) + " N",
+      contact > 0.0 ? number(force / contact) + " of the contact force" : "");
+  add("Sum of all moments", number(length(balance.value("moment_error_Nm", Json::array()))) + " N m",
+      "about the origin");
   if (contact > 0.0) {
     add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
     add("Penetration", number(1e3 * value_at(summary, "max_penetration_m")) + " mm", "at most");
   }
   const Json reactions = balance.value("reactions_N", Json::object());
-  for (const auto& [name, force_vector] : reactions.items()) add("Reaction, " + name, joined(force_vector, contact) + " N", "x, y, z");
+  for (const auto& [name, force_vector] : reactions.items())
+    add("Reaction, " + name, joined(force_vector, contact) + " N", "x, y, z");
   return rows;
 }
 
 Json phases_view(const Json& summary) {
   double longest = 1e-12;
-  for (const Json& phase : summary.value("phases", Json::array())) longest = std::max(longest, value_at(phase, "seconds"));
+  for (const Json& phase : summary.value("phases", Json::array()))
+    longest = std::max(longest, value_at(phase, "seconds"));
   Json rows = Json::array();
   const auto add = [&](const Json& phase, bool part) {
     const double seconds = value_at(phase, "seconds");

@@ -23,8 +23,8 @@ std::string plain(double value);
 /// "10⁻³" for -3.
 std::string power_of_ten(int power);
 
-/// Colour of t in [0, 1] as "#rrggbb": viridis (van der Walt & Smith 2015, CC0), evenly lighter from dark blue to yellow,
-/// also for readers who do not tell red from green and on a grey printer.
+/// Colour of t in [0, 1] as "#rrggbb": viridis (van der Walt & Smith 2015, CC0), evenly lighter from dark blue to
+/// yellow, also for readers who do not tell red from green and on a grey printer.
 std::string colour(double t);
 
 /// The stops of the colour map, evenly spaced, as 0xrrggbb.
@@ -32,10 +32,10 @@ const std::vector<int>& colour_stops();
 
 /// A scale of pressure: bands of equal height from 0 to `top`, shown in `unit`.
 struct PressureScale {
-  double top = 1.0;     ///< Pa
+  double top = 1.0;  ///< Pa
   int bands = 10;
   std::string unit = "Pa";
-  double factor = 1.0;  ///< Pa in a unit
+  double factor = 1.0;                                         ///< Pa in a unit
   double level(int band) const { return top * band / bands; }  ///< lower limit of a band, Pa
   std::string band_colour(int band) const { return colour((band + 0.5) / bands); }
 };

@@ -18,8 +18,12 @@ std::string packed(const std::vector<Value>& values) {
   return base64(bytes);
 }
 
-std::string reals(const std::vector<double>& values) { return packed(std::vector<float>(values.begin(), values.end())); }
-std::string integers(const std::vector<int>& values) { return packed(std::vector<std::int32_t>(values.begin(), values.end())); }
+std::string reals(const std::vector<double>& values) {
+  return packed(std::vector<float>(values.begin(), values.end()));
+}
+std::string integers(const std::vector<int>& values) {
+  return packed(std::vector<std::int32_t>(values.begin(), values.end()));
+}
 
 std::string vectors(const std::vector<Eigen::Vector3d>& values) {
   std::vector<float> flat;
@@ -39,12 +43,9 @@ std::string corners(const std::vector<Triangle>& triangles) {
 std::string scene_json(const RunFiles& run, const PressureScale& scale) {
   Json json = {{"colours", colour_stops()}, {"top", scale.top}, {"unit", scale.unit}, {"factor", scale.factor}};
   if (run.skin)
-    json["skin"] = {{"numbers", integers(run.skin->numbers)},
-                    {"nodes", vectors(run.skin->nodes)},
-                    {"displacement", vectors(run.skin->displacement)},
-                    {"pressure", reals(run.skin->pressure)},
-                    {"location", integers(run.skin->location)},
-                    {"locations", run.skin->locations},
+    json["skin"] = {{"numbers", integers(run.skin->numbers)},          {"nodes", vectors(run.skin->nodes)},
+                    {"displacement", vectors(run.skin->displacement)}, {"pressure", reals(run.skin->pressure)},
+                    {"location", integers(run.skin->location)},        {"locations", run.skin->locations},
                     {"triangles", corners(run.skin->triangles)}};
   if (run.garment)
     json["garment"] = {{"nodes", vectors(run.garment->nodes)},

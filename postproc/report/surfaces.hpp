@@ -25,8 +25,8 @@ struct Skin {
 };
 
 struct Garment {
-  std::vector<Eigen::Vector3d> nodes, displacement;       ///< current positions; displacements from the placed shape; m
-  std::vector<double> pressure;                           ///< Pa, a node
+  std::vector<Eigen::Vector3d> nodes, displacement;  ///< current positions; displacements from the placed shape; m
+  std::vector<double> pressure;                      ///< Pa, a node
   std::vector<Triangle> triangles;
   std::vector<double> tension_warp, tension_weft, wrinkled;  ///< N/m; 0 taut, 1 wrinkled, 2 slack; a triangle
 };

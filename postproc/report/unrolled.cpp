@@ -1,7 +1,7 @@
 #include "postproc/report/unrolled.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -59,14 +59,15 @@ Frame frame_of(const Skin& skin) {
 class CentreLine {
  public:
   CentreLine(const std::vector<Vector3d>& nodes, const std::vector<Triangle>& triangles) {
-    const auto [low, high] = std::minmax_element(nodes.begin(), nodes.end(),
-                                                 [](const auto& a, const auto& b) { return a.z() < b.z(); });
+    const auto [low, high] =
+        std::minmax_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.z() < b.z(); });
     low_ = low->z(), height_ = std::max(high->z() - low_, 1e-12);
     std::vector<double> weight(slices, 0.0);
     for (const Triangle& t : triangles) {
       const Vector3d middle = (nodes[t[0]] + nodes[t[1]] + nodes[t[2]]) / 3.0;
       const double area = (nodes[t[1]] - nodes[t[0]]).cross(nodes[t[2]] - nodes[t[0]]).norm();
-      const auto slice = static_cast<std::size_t>(std::clamp((middle.z() - low_) / height_ * slices, 0.0, slices - 0.5));
+      const auto slice =
+          static_cast<std::size_t>(std::clamp((middle.z() - low_) / height_ * slices, 0.0, slices - 0.5));
       sums_[slice] += area * middle, weight[slice] += area;
     }
     for (std::size_t s = 0; s < slices; ++s)
@@ -111,8 +112,8 @@ Chart chart_of(const Skin& skin) {
 
 double wrapped(double angle, double from) { return angle - 360.0 * std::floor((angle - from) / 360.0); }
 
-/// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location (it lies on both sides) and
-/// touches the fewest of any; the back if all are alike.
+/// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location (it lies on both sides)
+/// and touches the fewest of any; the back if all are alike.
 double best_cut(const Skin& skin, const Chart& chart) {
   double reach = 15.0;  // deg; what lies nearer to the cut touches it
   for (const Triangle& t : skin.triangles)
@@ -189,8 +190,9 @@ class Drawer {
     for (const Triangle& t : skin.triangles) {
       std::array<double, 3> angle{};
       for (int i = 0; i < 3; ++i) angle[i] = chart_.tube ? wrapped(chart_.at[t[i]].x(), from_) : chart_.at[t[i]].x();
-      const bool cut = chart_.tube && *std::max_element(angle.begin(), angle.end()) -
-                                              *std::min_element(angle.begin(), angle.end()) > 180.0;
+      const bool cut =
+          chart_.tube &&
+          *std::max_element(angle.begin(), angle.end()) - *std::min_element(angle.begin(), angle.end()) > 180.0;
       Triangle triangle{};
       for (int i = 0; i < 3; ++i) {
         if (cut && angle[i] < from_ + 180.0) angle[i] += 360.0;
@@ -290,8 +292,10 @@ UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
   const double angle = chart.tube ? wrapped(at.x(), drawer.from()) : at.x();
   const Vector2d place = drawer.place(angle, at.y());
   map.largest_x = place.x(), map.largest_y = place.y();
-  map.largest_place = chart.tube ? fmt::format("at {}°, height {} mm", plain(std::round(angle)), plain(std::round(1e3 * at.y())))
-                                 : fmt::format("at {} mm across, {} mm along", plain(std::round(1e3 * at.x())), plain(std::round(1e3 * at.y())));
+  map.largest_place =
+      chart.tube ? fmt::format("at {}°, height {} mm", plain(std::round(angle)), plain(std::round(1e3 * at.y())))
+                 : fmt::format("at {} mm across, {} mm along", plain(std::round(1e3 * at.x())),
+                               plain(std::round(1e3 * at.y())));
   return map;
 }
 

@@ -21,8 +21,8 @@ struct MapPatch {
   double x = 0.0, y = 0.0;  ///< middle, pixels
 };
 
-/// The map in pixels; y grows downwards. Its scale along the height is that of the mean girth, so that shapes keep their
-/// proportions there.
+/// The map in pixels; y grows downwards. Its scale along the height is that of the mean girth, so that shapes keep
+/// their proportions there.
 struct UnrolledMap {
   double width = 0.0, height = 0.0;
   std::string skin;                                        ///< path of all the skin
@@ -30,8 +30,8 @@ struct UnrolledMap {
   std::string edge;                                        ///< path of the covered skin
   std::vector<MapPatch> patches;
   std::vector<MapTick> across, along;
-  std::string across_name, along_name;  ///< "angle round the body", "height [mm]"
-  bool unrolled = true;                 ///< false: the skin is no tube, the map looks at it from its normal
+  std::string across_name, along_name;      ///< "angle round the body", "height [mm]"
+  bool unrolled = true;                     ///< false: the skin is no tube, the map looks at it from its normal
   double largest_x = 0.0, largest_y = 0.0;  ///< where the pressure is largest, pixels
   std::string largest_place;                ///< "at 45°, height 210 mm"
 };

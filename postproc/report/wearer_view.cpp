@@ -24,9 +24,8 @@ std::string note_of(const Json& row) {
 Json rules_view(const Json& comfort) {
   std::vector<Json> rules;
   for (const Json& rule : comfort.value("rules", Json::array())) rules.push_back(rule);
-  std::stable_sort(rules.begin(), rules.end(), [](const Json& a, const Json& b) {
-    return value_at(a, "strength") > value_at(b, "strength");
-  });
+  std::stable_sort(rules.begin(), rules.end(),
+                   [](const Json& a, const Json& b) { return value_at(a, "strength") > value_at(b, "strength"); });
   Json view = Json::array();
   for (const Json& rule : rules) {
     const double strength = value_at(rule, "strength");
@@ -44,7 +43,8 @@ Json memberships_view(const Json& comfort) {
     Json degrees = Json::array();
     const Json given = membership.value("degrees", Json::object());
     for (const auto& [term, degree] : given.items())
-      degrees.push_back({{"value", fmt::format("{:.2f}", degree.get<double>())}, {"percent", percent(degree.get<double>())}});
+      degrees.push_back(
+          {{"value", fmt::format("{:.2f}", degree.get<double>())}, {"percent", percent(degree.get<double>())}});
     rows.push_back({{"location", membership.value("location", "")},
                     {"rating", fmt::format("{:.2f}", value_at(membership, "rating"))},
                     {"degrees", degrees}});
@@ -94,7 +94,9 @@ Json comfort_view(const RunFiles& run) {
   Json outputs = Json::array();
   const Json memberships = comfort.value("output_memberships", Json::object());
   for (const auto& [term, degree] : memberships.items())
-    outputs.push_back({{"term", term}, {"value", fmt::format("{:.2f}", degree.get<double>())}, {"percent", percent(degree.get<double>())}});
+    outputs.push_back({{"term", term},
+                       {"value", fmt::format("{:.2f}", degree.get<double>())},
+                       {"percent", percent(degree.get<double>())}});
   return {{"score", fmt::format("{:.2f}", score)},
           {"percent", percent(score / scale_end)},
           {"term", comfort.value("term", "")},

@@ -31,10 +31,9 @@ postproc::report::Pictures draw_pictures(const fs::path& out) {
   const std::string remedy = " `scripts/setup --pictures` installs what draws them, `snug report` puts them in.";
   if (!fs::exists(script)) return {{}, "scripts/picture.py is not where the program was built."};
   const fs::path png = fs::temp_directory_path() / ("snug-picture-" + std::to_string(::getpid()) + ".png");
-  const ChildOutcome outcome =
-      run_child({"xvfb-run", "--auto-servernum", "/usr/bin/python3", script.string(), fs::absolute(out).string(), "--out",
-                 png.string(), "--palette", "viridis"},
-                fs::temp_directory_path());
+  const ChildOutcome outcome = run_child({"xvfb-run", "--auto-servernum", "/usr/bin/python3", script.string(),
+                                          fs::absolute(out).string(), "--out", png.string(), "--palette", "viridis"},
+                                         fs::temp_directory_path());
   std::ifstream file(png, std::ios::binary);
   postproc::report::Pictures pictures{{std::istreambuf_iterator<char>(file), {}}, {}};
   fs::remove(png);

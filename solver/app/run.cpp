@@ -131,16 +131,17 @@ class Run : public Command {
     const fs::path target = out_.empty() ? directory / "out" : fs::path(out_);
     OutputDirectory out(target);
     PreparedCase prepared = prepare(directory, options_);
-    const std::vector<ReferenceTable> references = read_references(prepared.description);  // wrong ones before the solve
+    const std::vector<ReferenceTable> references =
+        read_references(prepared.description);  // wrong ones before the solve
     if (!session_) session_ = std::make_unique<SolverSession>();
     if (writes_) warn_of_slow_blas();
     say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
     postproc::RunResult run = solve(prepared);
     if (!writes_) return run.status == "converged" ? done : not_converged;
     // Nothing converged: the pressures mean nothing, and no rating or comfort is made of them.
-    const auto evaluation =
-        run.status == "failed" ? postproc::Evaluation{}
-                               : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
+    const auto evaluation = run.status == "failed"
+                                ? postproc::Evaluation{}
+                                : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
     write_all(run, evaluation, prepared, out);
     const int regression = run.status == "failed" ? done : regress(references, out);
     if (!no_report_) report(out);
@@ -152,8 +153,9 @@ class Run : public Command {
   /// A page that cannot be made does not cost the results.
   void report(OutputDirectory& out) const {
     try {
-      write_report(out.aside(), pictures_ ? draw_pictures(out.aside())
-                                          : postproc::report::Pictures{{}, "`snug report` draws them in a few seconds."});
+      write_report(out.aside(), pictures_
+                                    ? draw_pictures(out.aside())
+                                    : postproc::report::Pictures{{}, "`snug report` draws them in a few seconds."});
     } catch (const std::exception& error) {
       fmt::print(stderr, "snug: warning: report.html is missing: {}\n", error.what());
     }
@@ -193,7 +195,7 @@ class Run : public Command {
   std::string out_;
   int ranks_ = 1;
   bool quiet_ = false, pictures_ = false, no_report_ = false;
-  bool writes_ = true;  ///< rank 0
+  bool writes_ = true;   ///< rank 0
   std::string verdict_;  ///< of the last comparison
   std::unique_ptr<SolverSession> session_;
 };

@@ -21,8 +21,9 @@ std::string text_of(const fs::path& file) {
 class ReportProgram : public Program {
  protected:
   /// Seconds: the garment on the rigid skin, coarse.
-  const std::string coarse_ = " --quiet --tier L1 --set body.cells_around=12 --set body.cells_along=4 "
-                              "--set 'garment.cell_size=\"25 mm\"' ";
+  const std::string coarse_ =
+      " --quiet --tier L1 --set body.cells_around=12 --set body.cells_along=4 "
+      "--set 'garment.cell_size=\"25 mm\"' ";
 };
 
 TEST_F(ReportProgram, EveryRunLeavesAPage) {
@@ -30,8 +31,8 @@ TEST_F(ReportProgram, EveryRunLeavesAPage) {
   ASSERT_EQ(snug("new mine --like thigh-sleeve").status, 0);
   ASSERT_EQ(snug("run mine" + coarse_).status, 0);
   const std::string page = text_of(folder_ / "mine/out/report.html");
-  for (const std::string part : {"<svg class=\"plot map\"", "Front thigh", "Rules that fired", "snug run mine --quiet --tier L1",
-                                 "body.cells_around", "No pictures here"})
+  for (const std::string part : {"<svg class=\"plot map\"", "Front thigh", "Rules that fired",
+                                 "snug run mine --quiet --tier L1", "body.cells_around", "No pictures here"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
   ASSERT_EQ(snug("run mine --no-report" + coarse_).status, 0);
   EXPECT_FALSE(fs::exists(folder_ / "mine/out/report.html"));
@@ -43,7 +44,9 @@ TEST_F(ReportProgram, RunsAreComparedOnOnePage) {
   // Two fabrics side by side; what is no result of a run, and one result alone, are wrong input.
   ASSERT_EQ(snug("new mine --like thigh-sleeve").status, 0);
   ASSERT_EQ(snug("run mine --no-report --out soft" + coarse_).status, 0);
-  ASSERT_EQ(snug("run mine --no-report --out tight --set 'garment.pattern.flat_circumference=\"400 mm\"'" + coarse_).status, 0);
+  ASSERT_EQ(
+      snug("run mine --no-report --out tight --set 'garment.pattern.flat_circumference=\"400 mm\"'" + coarse_).status,
+      0);
   const Outcome outcome = snug("report --compare soft tight --out fabrics.html");
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   const std::string page = text_of(folder_ / "fabrics.html");

@@ -105,8 +105,8 @@ TEST(Region, HasTheAreaOfALinearField) {
 }
 
 TEST(UnrolledMap, ATubeBecomesARectangle) {
-  // A tube of radius 80 mm and height 200 mm, off the z axis, unrolls into a rectangle of girth by height; a pressure that
-  // rises linearly leaves the share (1 - level) of it at or above each level, and a location behind is not cut.
+  // A tube of radius 80 mm and height 200 mm, off the z axis, unrolls into a rectangle of girth by height; a pressure
+  // that rises linearly leaves the share (1 - level) of it at or above each level, and a location behind is not cut.
   const Skin skin = tube(0.08, 0.2, 0.5, 1000.0);
   const PressureScale scale = pressure_scale({&skin});
   EXPECT_EQ(scale.top, 1000.0);
@@ -171,8 +171,9 @@ TEST(Base64, MatchesTheStandard) {
 
 TEST(Template, ShowsAndEscapes) {
   // What a user has named is text, not markup; empty texts hide their section.
-  EXPECT_EQ(fill("{{a}}{{#b}}[{{c}}]{{/b}}{{^d}}none{{/d}}", {{"a", "<i>"}, {"b", {{{"c", "1"}}, {{"c", "2"}}}}, {"d", ""}}),
-            "&lt;i&gt;[1][2]none");
+  EXPECT_EQ(
+      fill("{{a}}{{#b}}[{{c}}]{{/b}}{{^d}}none{{/d}}", {{"a", "<i>"}, {"b", {{{"c", "1"}}, {{"c", "2"}}}}, {"d", ""}}),
+      "&lt;i&gt;[1][2]none");
   EXPECT_THROW(fill("{{#a}}", {}), std::logic_error);
 }
 
@@ -188,8 +189,8 @@ TEST(Page, HoldsWhatTheRunSays) {
   write_results(run, evaluate(run, trial), folder);
   const std::string html = page(folder, {"\x89PNG", ""});
   for (const char* part : {"sleeve &lt;1&gt;", "<svg class=\"plot map\"", "Front thigh", "friction", "not in the case",
-                           "Reaction, upper edge", "0, 0, 2.17 N", "Newton iteration", "data:image/png;base64,iVBORw==",
-                           "\"numbers\":", "THREE", "300"})
+                           "Reaction, upper edge", "0, 0, 2.17 N", "Newton iteration",
+                           "data:image/png;base64,iVBORw==", "\"numbers\":", "THREE", "300"})
     EXPECT_THAT(html, HasSubstr(part));
   EXPECT_THAT(html, Not(HasSubstr("{{")));
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
@@ -242,7 +243,8 @@ TEST(ComparisonPage, PutsRunsSideBySide) {
   for (const char* part : {"snug-postproc-report-first", "snug-postproc-report-second", "+10.0 %", "garment.fabric",
                            "&quot;B&quot;", "map-0", "map-1", "Front thigh"})
     EXPECT_THAT(html, HasSubstr(part));
-  for (const char* part : {"garment.order", "load.1.force", "map-2", "{{", "<script"}) EXPECT_THAT(html, Not(HasSubstr(part)));
+  for (const char* part : {"garment.order", "load.1.force", "map-2", "{{", "<script"})
+    EXPECT_THAT(html, Not(HasSubstr(part)));
 }
 
 }  // namespace
