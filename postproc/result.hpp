@@ -13,7 +13,7 @@ namespace snug::postproc {
 /// One quadrature point of the garment that touches or faces the skin.
 struct ContactSample {
   int facet = -1;                  ///< skin facet
-  double xi = 0.0, eta = 0.0;      ///< on the facet, [-1, 1]^2
+  double xi = 0.0, eta = 0.0;      ///< on the facet: in [-1, 1]^2, or >= 0 with sum <= 1 on a triangle
   double force = 0.0;              ///< N, contact force along the skin normal (>= 0 with the hat basis)
   double area = 0.0;               ///< m2, current garment area of the point; 0 where it faces no skin
   bool touching = false;

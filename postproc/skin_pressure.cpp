@@ -40,6 +40,36 @@ double area_density(const std::array<int, 9>& facet, const Points& positions, do
   return a.cross(b).norm();
 }
 
+/// What a sample gives to the nodes of its facet: `shape` carries force and pressure, `hat` >= 0 the cover.
+struct Shares {
+  int nodes = 9;
+  std::array<double, 9> shape{}, hat{};
+};
+
+Shares both(int nodes, const std::array<double, 9>& values) { return {nodes, values, values}; }
+
+/// Hats on the triangle cut into four between its nodes: the quadratic functions of its corners have no mass to lump.
+Shares on_triangle(double xi, double eta) {
+  const std::array<double, 3> L = {1 - xi - eta, xi, eta};
+  std::array<double, 9> values{};
+  for (int v = 0; v < 3; ++v) {
+    const int w = (v + 1) % 3, u = (v + 2) % 3;  // mid-edge 3 + v is between v and w, 3 + u between u and v
+    if (L[v] > 0.5) {
+      values[v] = 2 * L[v] - 1, values[3 + v] = 2 * L[w], values[3 + u] = 2 * L[u];
+      return both(6, values);
+    }
+  }
+  for (int v = 0; v < 3; ++v) values[3 + v] = 1 - 2 * L[(v + 2) % 3];
+  return both(6, values);
+}
+
+Shares shares(const std::array<int, 9>& facet, double xi, double eta) {
+  if (facet[8] >= 0) return {9, biquadratic(xi, eta), tensor(hat(xi), hat(eta))};
+  if (facet[4] >= 0) return on_triangle(xi, eta);
+  const double a = 0.25 * (1 - xi), b = 0.25 * (1 + xi);
+  return both(4, {a * (1 - eta), b * (1 - eta), a * (1 + eta), b * (1 + eta)});
+}
+
 /// Sums over the samples: what the transfer needs of them.
 struct Sums {
   explicit Sums(std::size_t nodes)
@@ -65,15 +95,14 @@ Sums sum_samples(const Facets& facets, std::size_t nodes, const std::vector<Cont
     sums.total_force += sample.force;
     if (sample.facet < 0) continue;
     const auto& facet = facets.at(sample.facet);
-    const auto shape = biquadratic(sample.xi, sample.eta);
-    const auto hats = tensor(hat(sample.xi), hat(sample.eta));
-    for (int i = 0; i < 9; ++i) {
+    const auto& [count, shape, hats] = shares(facet, sample.xi, sample.eta);
+    for (int i = 0; i < count; ++i) {
       sums.force[facet[i]] += sample.force * shape[i];
       sums.lumped[facet[i]] += sample.area * shape[i];
       sums.covered[facet[i]] += sample.area * hats[i];
       if (sample.area > 0) sums.near_force[facet[i]] += sample.force * std::abs(shape[i]);
       sums.near_area[facet[i]] += sample.area * std::abs(shape[i]);
-      for (int j = 0; j < 9; ++j) entries.emplace_back(facet[i], facet[j], sample.area * shape[i] * shape[j]);
+      for (int j = 0; j < count; ++j) entries.emplace_back(facet[i], facet[j], sample.area * shape[i] * shape[j]);
     }
   }
   sums.mass.setFromTriplets(entries.begin(), entries.end());

@@ -33,7 +33,7 @@ std::vector<double> nodal_areas(const std::vector<std::array<int, 9>>& facets, s
 /// Consistent transfer of the samples' forces to nodal pressure: p_j = f_j / sum_q area_q N_j, then `sweeps` Richardson
 /// sweeps p += D^-1 (f - M p) towards the solution with the consistent mass M_ij = sum_q area_q N_i N_j.
 /// D is the lumped mass; at nodes on a hem, where that is small or negative, half the absolute row sum of M replaces
-/// it, which bounds every sweep. A uniform pressure comes back exactly whatever the samples. `positions`: deformed, m,
+/// it, which bounds every sweep. Facets of 4 and 6 nodes use bilinear functions and hats on their four triangles as N. A uniform pressure comes back exactly whatever the samples. `positions`: deformed, m,
 /// one a node. Samples with facet < 0 carry nothing. Throws std::out_of_range on a bad facet. Source:
 /// lumped-to-consistent iteration as in Donea, IJNME 20 (1984), Taylor-Galerkin.
 SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t nodes,

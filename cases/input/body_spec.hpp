@@ -163,7 +163,7 @@ struct BodySpec {
                            "bone_girth, bone_width_to_depth, bone_x, bone_y"},
           self.stations);
     field(Field{.key = "mesh",
-                .meaning = "gmsh file with hexahedra or tetrahedra; its physical volumes are the layers by their names, its "
+                .meaning = "gmsh file with hexahedra or tetrahedra, or a geometry (.geo) for gmsh to mesh; its physical volumes are the layers by their names, its "
                            "physical surfaces, curves and points the named surfaces (\"skin\" is where a garment touches)"},
           self.mesh);
     field(Field{.key = "unit",

@@ -230,13 +230,6 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   if (description.body)
     if (const Table* body = root.table("body")) check_body(*description.body, *body, diagnostics);
   if (description.garment) check_held(*description.garment, diagnostics);
-  if (description.body && description.body->kind == "imported" && description.garment)
-    diagnostics.error(root.where_is("garment"), "a garment on an imported body cannot be placed yet",
-                      "use kind = \"stations\" or \"scan\", or load the imported body with [load] and [[support]]");
-  if (description.body && description.garment && description.body->elements != "Q2/P1")
-    diagnostics.error(root.where_is("garment"),
-                      fmt::format("a garment touches quadratic hexahedra only, not {}", description.body->elements),
-                      "leave body.elements out");
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
   check_tier(description, root, diagnostics);

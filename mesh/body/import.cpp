@@ -46,13 +46,27 @@ std::vector<int> entities(const Group& group) {
   return tags;
 }
 
+/// A file without cells is a geometry.
+void mesh_geometry(const input::BodySpec& spec) {
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types, 3);
+  if (!types.empty()) return;
+  try {
+    gmsh::model::mesh::generate(3);
+  } catch (const std::runtime_error& error) {
+    throw InputError(spec.where, fmt::format("gmsh cannot mesh {}: {}", spec.mesh.string(), error.what()),
+                     "mesh it in gmsh's window, where the place is shown");
+  }
+}
+
 /// What the file holds decides the kind, together with body.elements; raises straight cells to second order.
 CellKind prepare_kind(const input::BodySpec& spec) {
   const std::string file = spec.mesh.string();
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types, 3);
   if (types.empty())
-    throw InputError(spec.where, file + " has no cells", "save the volumes too: gmsh -3, with physical volumes");
+    throw InputError(spec.where, file + " has no cells",
+                     "save the volumes too: gmsh -3, with physical volumes; or give a geometry (.geo) that has volumes");
   const std::set<int> present(types.begin(), types.end());
   const auto only = [&](std::set<int> allowed) {
     return std::includes(allowed.begin(), allowed.end(), present.begin(), present.end());
@@ -266,6 +280,7 @@ BodyMesh import_body_mesh(const input::BodySpec& spec) {
     throw InputError(spec.where, fmt::format("gmsh cannot read {}: {}", spec.mesh.string(), error.what()),
                      "save it from gmsh as a .msh file of version 4");
   }
+  mesh_geometry(spec);
   return Import(spec).take();
 }
 

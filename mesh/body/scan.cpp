@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 
 #include "mesh/body/elliptic_outline.hpp"
@@ -114,6 +116,77 @@ FitResidual residual_of(const Limb& limb, const Eigen::MatrixXd& coefficients, c
 }
 
 }  // namespace
+
+namespace {
+
+/// Facets cut into triangles between their nodes.
+TriangleSurface triangulated(const BodyMesh& body) {
+  using Triangles = std::vector<std::array<int, 3>>;
+  static const Triangles quad4 = {{0, 1, 3}, {0, 3, 2}}, tri6 = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}},
+                         quad9 = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}, {4, 5, 8}, {4, 8, 7}};
+  const FacetKind kind = facet_kind(body.kind);
+  TriangleSurface surface{body.nodes, {}};
+  for (const auto& facet : body.skin_facets)
+    for (const auto& [a, b, c] : kind == FacetKind::quad4 ? quad4 : kind == FacetKind::tri6 ? tri6 : quad9)
+      surface.triangles.push_back({facet[a], facet[b], facet[c]});
+  return weld(surface);
+}
+
+/// Heights between which the surface has no border: its cut ends.
+HeightRange closed_range(const TriangleSurface& surface) {
+  std::map<std::pair<int, int>, int> triangles_at;
+  HeightRange all{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+  for (const auto& triangle : surface.triangles)
+    for (int k = 0; k < 3; ++k) {
+      ++triangles_at[std::minmax(triangle[k], triangle[(k + 1) % 3])];
+      const double z = surface.vertices[triangle[k]].z();
+      all = {std::min(all.lower, z), std::max(all.upper, z)};
+    }
+  const double middle = 0.5 * (all.lower + all.upper);
+  HeightRange closed = all;
+  for (const auto& [edge, count] : triangles_at)
+    for (const int vertex : {edge.first, edge.second}) {
+      if (count > 1) continue;
+      const double z = surface.vertices[vertex].z();
+      (z < middle ? closed.lower : closed.upper) = z < middle ? std::max(closed.lower, z) : std::min(closed.upper, z);
+    }
+  return closed;
+}
+
+/// The middle of the surface's vertices at about this height.
+Eigen::Vector3d middle_at(const TriangleSurface& surface, double z, double reach) {
+  Eigen::Vector3d sum(0.0, 0.0, 0.0);
+  int count = 0;
+  for (const auto& vertex : surface.vertices)
+    if (std::abs(vertex.z() - z) <= reach) sum += vertex, ++count;
+  if (count > 0) sum /= count;
+  return {sum.x(), sum.y(), z};
+}
+
+}  // namespace
+
+Limb limb_from_skin(const BodyMesh& body, double lower, double upper, const Location& where) {
+  if (body.skin_facets.empty())
+    throw InputError(where, "the mesh has no surface \"skin\" for a garment to touch",
+                     "name the outer surface \"skin\" in gmsh (Physical Surface)");
+  OrientedScan scan{triangulated(body), {}, {}};
+  const HeightRange closed = closed_range(scan.surface);
+  const double hair = 1e-6 * body.mean_skin_cell;  // a section exactly through the nodes of a cut end may be open
+  Limb limb;
+  limb.lower = std::max(lower, closed.lower), limb.upper = std::min(upper, closed.upper);
+  if (!(limb.upper > limb.lower))
+    throw InputError(where,
+                     fmt::format("the garment is at heights {:.1f} to {:.1f} mm, the skin of the mesh at {:.1f} to {:.1f} mm",
+                                 1e3 * lower, 1e3 * upper, 1e3 * closed.lower, 1e3 * closed.upper),
+                     "give position and length in the heights of the mesh (times body.unit), z upwards");
+  scan.lower = middle_at(scan.surface, limb.lower + hair, body.mean_skin_cell);
+  scan.upper = middle_at(scan.surface, limb.upper - hair, body.mean_skin_cell);
+  const double sigma = body.mean_skin_cell;
+  const TrackedSections sections = track_sections(scan, 0.5 * sigma, 3.0 * sigma, where);
+  limb.skin = std::make_unique<FourierOutline>(
+      VectorSpline(sections.z0, sections.dz, smooth_coefficients(sections, sigma, where)));
+  return limb;
+}
 
 Limb limb_from_scan(const input::BodySpec& spec) {
   if (!spec.scan) throw InputError(spec.where, "body kind \"scan\" without a scan", "add the table [body.scan]");

@@ -1,7 +1,7 @@
 // A limb from a scanned surface between two cut planes.
 #pragma once
 
-#include "mesh/body/limb.hpp"
+#include "mesh/body/body_mesh.hpp"
 
 namespace snug::mesh {
 
@@ -14,5 +14,10 @@ namespace snug::mesh {
 /// Throws input::InputError: everything that `read_scan` and `track_sections` refuse, a section that is not star-shaped
 /// about the centre line, a bone of no girth or outside the skin.
 Limb limb_from_scan(const input::BodySpec& spec);
+
+/// The smooth geometry of a mesh's skin between `lower` and `upper` (m) or as far as the skin reaches, where it is cut;
+/// sections, filter and interpolation as of a scan, with a smoothing radius of two skin cells. There is no bone.
+/// Throws input::InputError (at `where`) where a height has no closed section or the sections do not make one limb.
+Limb limb_from_skin(const BodyMesh& body, double lower, double upper, const input::Location& where);
 
 }  // namespace snug::mesh

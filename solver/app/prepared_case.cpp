@@ -5,6 +5,7 @@
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
 #include "mesh/body/import.hpp"
+#include "mesh/body/scan.hpp"
 #include "postproc/sensation.hpp"
 
 namespace snug::app {
@@ -50,15 +51,23 @@ void check_materials(const input::Case& description) {
   collect.throw_if_any();
 }
 
+/// The part of an imported body that the garment is placed on, with a cell's margin.
+mesh::Limb limb_below(const input::GarmentSpec& garment, const mesh::BodyMesh& body) {
+  const double margin = body.mean_skin_cell;
+  return mesh::limb_from_skin(body, garment.position - margin, garment.position + garment.pattern.length + margin,
+                              garment.where);
+}
+
 solver::Meshes make_meshes(const input::Case& description) {
   solver::Meshes meshes;
   if (!description.body) return meshes;
   if (description.body->kind == "imported") {
     meshes.body = mesh::import_body_mesh(*description.body);
-    return meshes;
+    if (description.garment) meshes.limb = limb_below(*description.garment, meshes.body);
+  } else {
+    meshes.limb = mesh::make_limb(*description.body);
+    meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   }
-  meshes.limb = mesh::make_limb(*description.body);
-  meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   if (!description.garment) return meshes;
   const double given = description.garment->cell_size;
   const double cell_size = given > 0.0 ? given : 0.5 * meshes.body.mean_skin_cell;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "postproc/skin_pressure.hpp"
+
 namespace snug::solver {
 
 namespace {
@@ -48,6 +50,7 @@ LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materi
   const double lower = garment.position, upper = garment.position + garment.pattern.length;
   for (const auto& facet : body.skin_facets)
     for (const int node : facet) {
+      if (node < 0) continue;
       const Eigen::Vector3d& x = body.nodes[node];
       if (result.covered[node] || x.z() < lower - 1e-9 || x.z() > upper + 1e-9) continue;
       auto [it, fresh] = tension_at.try_emplace(x.z());
@@ -57,12 +60,9 @@ LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materi
       result.pressure[node] = std::max(0.0, it->second.dot(limb.skin_curvature(turn_of(limb, x), x.z())));
     }
   double area = 0.0;
-  for (const auto& facet : body.skin_facets) {  // centre node with the facet's area
-    if (!result.covered[facet[4]]) continue;
-    const double a = (body.nodes[facet[5]] - body.nodes[facet[3]]).cross(body.nodes[facet[7]] - body.nodes[facet[1]]).norm();
-    area += a;
-    result.mean += a * result.pressure[facet[4]];
-  }
+  const std::vector<double> areas = postproc::nodal_areas(body.skin_facets, body.nodes.size(), body.nodes);
+  for (std::size_t node = 0; node < areas.size(); ++node)
+    if (result.covered[node]) area += areas[node], result.mean += areas[node] * result.pressure[node];
   if (area > 0.0) result.mean /= area;
   return result;
 }

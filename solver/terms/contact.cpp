@@ -16,8 +16,9 @@ int parts(double garment_edge, double skin_cell) {
   return std::clamp(static_cast<int>(std::ceil(4.0 * garment_edge / skin_cell - 0.25)), 1, 8);
 }
 
-// A facet counts as coupled to a triangle when a point is this near to it, so that the pattern of the matrix lasts.
-constexpr double coupling_margin = 0.85;
+// A facet counts as coupled to a triangle when a point is this near to its edge (a facet measures 2), so that the pattern
+// of the matrix lasts.
+constexpr double coupling_margin = 0.15;
 // Rows are this much stiffer than the active-set decision: a decision on a stiff scale would turn gaps of second order
 // in the step into releases, a row on a soft scale would converge linearly.
 constexpr double row_stiffening = 1e4;
@@ -81,7 +82,7 @@ Contact::Gap Contact::gap(const State& state, const TriangleNodes& x, const Cont
   Gap gap;
   gap.x = x * point.N;
   if (point.site.facet < 0) return gap;
-  gap.shape = facet_shape(point.site.xi);
+  gap.shape = facet_shape(skin_.kind(), point.site.xi);
   gap.at = facet_point(skin_.positions(state, point.site.facet), gap.shape);
   gap.value = (gap.x - gap.at.y).dot(gap.at.n);
   gap.facing = std::abs(gap.value) < reach_;
@@ -100,7 +101,7 @@ void Contact::couple(Element& element) {
     if (facet < 0 || std::find(element.facets.begin(), element.facets.end(), facet) != element.facets.end()) return;
     element.facets.push_back(facet);
     for (const int node : skin_.nodes_of(facet))
-      if (std::find(element.skin_nodes.begin(), element.skin_nodes.end(), node) == element.skin_nodes.end())
+      if (node >= 0 && std::find(element.skin_nodes.begin(), element.skin_nodes.end(), node) == element.skin_nodes.end())
         element.skin_nodes.push_back(node);
   };
   element.facets.clear();
@@ -110,10 +111,8 @@ void Contact::couple(Element& element) {
     if (site.facet < 0) continue;
     add(site.facet);
     const auto& next = skin_.neighbours(site.facet);
-    if (site.xi[1] < -coupling_margin) add(next[0]);
-    if (site.xi[0] > coupling_margin) add(next[1]);
-    if (site.xi[1] > coupling_margin) add(next[2]);
-    if (site.xi[0] < -coupling_margin) add(next[3]);
+    for (std::size_t edge = 0; edge < next.size(); ++edge)
+      if (beyond(skin_.domain(), static_cast<int>(edge), site.xi) > -coupling_margin) add(next[edge]);
   }
 }
 
@@ -369,8 +368,8 @@ std::vector<postproc::ContactSample> Contact::samples(const State& state) const 
       const Gap g = gap(state, x, point);
       if (g.facing) {
         sample.facet = point.site.facet;
-        sample.xi = std::clamp(point.site.xi[0], -1.0, 1.0);  // a point may stay with its facet a little over the edge
-        sample.eta = std::clamp(point.site.xi[1], -1.0, 1.0);
+        const Eigen::Vector2d xi = clamped(skin_.kind(), point.site.xi);  // it may stay with its facet a little over the edge
+        sample.xi = xi[0], sample.eta = xi[1];
         sample.force = point.weight * element.area * pressure(state, element, point);
         sample.touching = sample.force > 0.0;
       }

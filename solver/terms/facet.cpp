@@ -44,27 +44,4 @@ FacetPoint facet_point(const FacetNodes& nodes, const FacetShape& shape) {
   return p;
 }
 
-bool project(const FacetNodes& nodes, const Eigen::Vector3d& x, double reach, Eigen::Vector2d& xi) {
-  for (int iteration = 0; iteration < 25; ++iteration) {
-    const FacetShape shape = facet_shape(xi);
-    const Eigen::Vector3d r = x - nodes * shape.N;
-    const Eigen::Matrix<double, 3, 2> t = nodes * shape.dN;
-    const Eigen::Matrix<double, 3, 3> second = nodes * shape.ddN;
-    Eigen::Matrix2d A = t.transpose() * t;
-    const Eigen::Vector3d k = second.transpose() * r;
-    Eigen::Matrix2d full = A;
-    full(0, 0) -= k[0], full(1, 1) -= k[1], full(0, 1) -= k[2], full(1, 0) -= k[2];
-    if (full.determinant() > 0.1 * A.determinant() && full(0, 0) > 0.0) A = full;  // else Gauss-Newton
-    Eigen::Vector2d step = A.inverse() * (t.transpose() * r);
-    const double longest = step.cwiseAbs().maxCoeff();
-    if (longest > 1.0) step /= longest;
-    xi += step;
-    if (!xi.allFinite()) return false;
-    xi = xi.cwiseMax(-reach).cwiseMin(reach);
-    if (step.cwiseAbs().maxCoeff() < 1e-13) return true;
-    if (xi.cwiseAbs().maxCoeff() >= reach && iteration > 6) return true;
-  }
-  return true;
-}
-
 }  // namespace snug::solver

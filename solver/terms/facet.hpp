@@ -1,4 +1,4 @@
-// Geometry of one biquadratic skin facet and the closest point on it.
+// Geometry of one skin facet: nine slots for the nodes of any kind (facet_kind.hpp), biquadratic in full.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,9 +23,5 @@ struct FacetPoint {
   double area = 0.0;  ///< |y_1 x y_2|
 };
 FacetPoint facet_point(const FacetNodes& nodes, const FacetShape& shape);
-
-/// Closest point of the facet's (extended) surface to x by Newton's method from `xi`. Stops at |xi| <= `reach`.
-/// Returns false when it did not converge.
-bool project(const FacetNodes& nodes, const Eigen::Vector3d& x, double reach, Eigen::Vector2d& xi);
 
 }  // namespace snug::solver

@@ -13,9 +13,8 @@ namespace {
 
 using Polygon = std::vector<Eigen::Vector3d>;  // corners in area coordinates
 
-constexpr std::array<int, 8> outline = {0, 1, 2, 5, 8, 7, 6, 3};  // nodes of a facet round its edge, tensor order
-constexpr double negligible = 1e-12;                                // fraction of the triangle's area
-constexpr double complete = 1e-6;                                   // what the parts' areas may miss of the triangle's
+constexpr double negligible = 1e-12;  // fraction of the triangle's area
+constexpr double complete = 1e-6;     // what the parts' areas may miss of the triangle's
 
 // The place in the triangle's (extended) parameter plane that stands over y along n: Newton's method on the two
 // tangential components of x(L) - y.
@@ -69,8 +68,9 @@ Polygon clip(Polygon polygon) {
   return polygon;
 }
 
-ContactPoint point_at(const Eigen::Vector3d& L, double weight, int order, int facet) {
-  return {L, weight, garment_values(order, L), {facet, Eigen::Vector2d::Zero()}};
+ContactPoint point_at(const Eigen::Vector3d& L, double weight, int order, int facet,
+                      const Eigen::Vector2d& xi = Eigen::Vector2d::Zero()) {
+  return {L, weight, garment_values(order, L), {facet, xi}};
 }
 
 // Where a facet's corner lies on an edge of the triangle, round-off decides whether clipping keeps it, and so which corner
@@ -84,14 +84,14 @@ void start_anywhere_but_by_chance(Polygon& polygon) {
   std::rotate(polygon.begin(), first, polygon.end());
 }
 
-void add_fan(Polygon polygon, int order, int facet, std::vector<ContactPoint>& points) {
+void add_fan(Polygon polygon, int order, const Site& start, std::vector<ContactPoint>& points) {
   start_anywhere_but_by_chance(polygon);
   for (std::size_t k = 2; k < polygon.size(); ++k) {
     const double part = signed_area(polygon[0], polygon[k - 1], polygon[k]);
     if (std::abs(part) < negligible) continue;
     for (const TrianglePoint& q : triangle_rule())
       points.push_back(point_at(q.L[0] * polygon[0] + q.L[1] * polygon[k - 1] + q.L[2] * polygon[k], part * q.weight,
-                                order, facet));
+                                order, start.facet, start.xi));
   }
 }
 
@@ -103,8 +103,8 @@ SkinNodes skin_nodes(const SkinSurface& skin, const State& state, int count) {
   nodes.normal.assign(count, Eigen::Vector3d::Zero());
   for (int f = 0; f < skin.facets(); ++f) {
     const FacetNodes x = skin.positions(state, f);
-    for (int a = 0; a < 9; ++a) {
-      const FacetPoint at = facet_point(x, facet_shape({a % 3 - 1.0, a / 3 - 1.0}));
+    for (int a = 0; a < node_count(skin.kind()); ++a) {
+      const FacetPoint at = facet_point(x, facet_shape(skin.kind(), skin.domain().nodes[a]));
       nodes.position[skin.nodes_of(f)[a]] = at.y;
       nodes.normal[skin.nodes_of(f)[a]] += at.n;
     }
@@ -129,12 +129,12 @@ std::vector<ContactPoint> cut_by_facets(const SkinSurface& skin, const SkinNodes
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int facet = queue[next];
     Polygon polygon;
-    for (const int a : outline) {
+    for (const int a : skin.domain().outline) {
       const auto& L = image(skin.nodes_of(facet)[a]);
       if (!L) break;
       polygon.push_back(*L);
     }
-    if (polygon.size() < outline.size()) {  // a node of the facet is out of sight of this triangle
+    if (polygon.size() < skin.domain().outline.size()) {  // a node of the facet is out of sight of this triangle
       if (next == 0) return {};
       continue;
     }
@@ -143,7 +143,7 @@ std::vector<ContactPoint> cut_by_facets(const SkinSurface& skin, const SkinNodes
     if (part < -negligible) return {};
     if (part < negligible && next > 0) continue;
     covered += part;
-    if (!polygon.empty()) add_fan(polygon, order, facet, points);
+    if (!polygon.empty()) add_fan(polygon, order, {facet, skin.domain().centre}, points);
     for (const int neighbour : skin.neighbours(facet)) {
       if (neighbour < 0) border = true;
       else if (std::find(queue.begin(), queue.end(), neighbour) == queue.end()) queue.push_back(neighbour);

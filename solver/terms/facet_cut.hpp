@@ -30,11 +30,11 @@ struct SkinNodes {
 };
 SkinNodes skin_nodes(const SkinSurface& skin, const State& state, int nodes);
 
-/// Projects the outline of every facet that the triangle meets on to the triangle (8 nodes along the skin's normals,
+/// Projects the outline of every facet that the triangle meets on to the triangle (its nodes along the skin's normals,
 /// joined by straight lines in area coordinates), clips it (Sutherland & Hodgman 1974) and puts the seven-point rule on
 /// its fan of triangles. Parts of the triangle beyond the border of the skin get no point: nothing touches there.
 /// What a straight line leaves of a facet's curved edge is of higher order than the rule. Sites are those of the facet
-/// cut, with xi = 0: the caller projects. Empty where the cut fails (the caller falls back on a fixed rule): the
+/// cut, with xi at its centre: the caller projects. Empty where the cut fails (the caller falls back on a fixed rule): the
 /// triangle faces no facet, is folded, or the parts overlap.
 std::vector<ContactPoint> cut_by_facets(const SkinSurface& skin, const SkinNodes& nodes, const TriangleNodes& triangle,
                                         int order, int start_facet);

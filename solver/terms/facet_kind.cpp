@@ -1,5 +1,7 @@
 #include "solver/terms/facet_kind.hpp"
 
+#include <Eigen/Dense>
+
 #include <cmath>
 
 namespace snug::solver {
@@ -66,7 +68,35 @@ std::vector<FacetRulePoint> triangle_rule() {
   return rule;
 }
 
+FacetDomain square(int n) {
+  FacetDomain domain{Eigen::Vector2d::Zero(), 0.0, 1.0, {}, {}, {}, {{0, -1, -1}, {1, 0, -1}, {0, 1, -1}, {-1, 0, -1}}};
+  for (int a = 0; a < n * n; ++a) domain.nodes.emplace_back(2.0 * (a % n) / (n - 1) - 1.0, 2.0 * (a / n) / (n - 1) - 1.0);
+  if (n == 3) domain.outline = {0, 1, 2, 5, 8, 7, 6, 3}, domain.edge_corners = {{0, 2}, {2, 8}, {8, 6}, {6, 0}};
+  if (n == 2) domain.outline = {0, 1, 3, 2}, domain.edge_corners = {{0, 1}, {1, 3}, {3, 2}, {2, 0}};
+  return domain;
+}
+
+FacetDomain triangle() {
+  return {{1.0 / 3.0, 1.0 / 3.0}, 0.5, 0.5, {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}},
+          {0, 3, 1, 4, 2, 5}, {{0, 1}, {1, 2}, {2, 0}}, {{0, -2, 0}, {2, 2, -2}, {-2, 0, 0}}};
+}
+
 }  // namespace
+
+const FacetDomain& facet_domain(FacetKind kind) {
+  static const std::array domains = {square(3), square(2), triangle()};
+  return domains[static_cast<int>(kind)];
+}
+
+double beyond(const FacetDomain& domain, int edge, const Eigen::Vector2d& xi) {
+  return domain.edges[edge].head<2>().dot(xi) + domain.edges[edge][2];
+}
+
+Eigen::Vector2d clamped(FacetKind kind, const Eigen::Vector2d& xi) {
+  if (kind != FacetKind::tri6) return xi.cwiseMax(-1.0).cwiseMin(1.0);
+  const Eigen::Vector3d L = Eigen::Vector3d(1.0 - xi.sum(), xi[0], xi[1]).cwiseMax(0.0);
+  return L.tail<2>() / L.sum();
+}
 
 FacetShape facet_shape(FacetKind kind, const Eigen::Vector2d& xi) {
   return kind == FacetKind::quad9 ? facet_shape(xi) : kind == FacetKind::quad4 ? bilinear(xi) : quadratic_triangle(xi);
@@ -75,6 +105,31 @@ FacetShape facet_shape(FacetKind kind, const Eigen::Vector2d& xi) {
 const std::vector<FacetRulePoint>& facet_rule(FacetKind kind) {
   static const std::array rules = {square_rule(3), square_rule(2), triangle_rule()};
   return rules[static_cast<int>(kind)];
+}
+
+bool project(FacetKind kind, const FacetNodes& nodes, const Eigen::Vector3d& x, double reach, Eigen::Vector2d& xi) {
+  const FacetDomain& domain = facet_domain(kind);
+  const double low = domain.middle - reach * domain.half_width, high = domain.middle + reach * domain.half_width;
+  for (int iteration = 0; iteration < 25; ++iteration) {
+    const FacetShape shape = facet_shape(kind, xi);
+    const Eigen::Vector3d r = x - nodes * shape.N;
+    const Eigen::Matrix<double, 3, 2> t = nodes * shape.dN;
+    const Eigen::Matrix<double, 3, 3> second = nodes * shape.ddN;
+    Eigen::Matrix2d A = t.transpose() * t;
+    const Eigen::Vector3d k = second.transpose() * r;
+    Eigen::Matrix2d full = A;
+    full(0, 0) -= k[0], full(1, 1) -= k[1], full(0, 1) -= k[2], full(1, 0) -= k[2];
+    if (full.determinant() > 0.1 * A.determinant() && full(0, 0) > 0.0) A = full;  // else Gauss-Newton
+    Eigen::Vector2d step = A.inverse() * (t.transpose() * r);
+    const double longest = step.cwiseAbs().maxCoeff();
+    if (longest > 1.0) step /= longest;
+    xi += step;
+    if (!xi.allFinite()) return false;
+    xi = xi.cwiseMax(low).cwiseMin(high);
+    if (step.cwiseAbs().maxCoeff() < 1e-13) return true;
+    if ((xi.minCoeff() <= low || xi.maxCoeff() >= high) && iteration > 6) return true;
+  }
+  return true;
 }
 
 std::array<int, 27> facet_entries(const Layout& layout, const mesh::FacetNodeNumbers& facet) {

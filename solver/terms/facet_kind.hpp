@@ -20,6 +20,25 @@ struct FacetRulePoint {
 };
 const std::vector<FacetRulePoint>& facet_rule(mesh::FacetKind kind);
 
+/// The reference domain of a kind and its nodes.
+struct FacetDomain {
+  Eigen::Vector2d centre;
+  double middle, half_width;                    ///< the square round the domain, the same in both coordinates
+  std::vector<Eigen::Vector2d> nodes;
+  std::vector<int> outline;                     ///< nodes round the edge, counter-clockwise about the outward normal
+  std::vector<std::array<int, 2>> edge_corners; ///< corner nodes of each edge
+  std::vector<Eigen::Vector3d> edges;           ///< (a, b, c): a xi + b eta + c > 0 beyond the edge; -2 on the far side
+};
+const FacetDomain& facet_domain(mesh::FacetKind kind);
+/// How far xi lies beyond an edge, in units in which the facet measures 2.
+double beyond(const FacetDomain& domain, int edge, const Eigen::Vector2d& xi);
+/// A place of the domain near xi; xi itself when it is inside.
+Eigen::Vector2d clamped(mesh::FacetKind kind, const Eigen::Vector2d& xi);
+
+/// Closest point of the facet's (extended) surface to x by Newton's method from `xi`. Stops at `reach` half widths of the
+/// square round the domain. Returns false when it did not converge.
+bool project(mesh::FacetKind kind, const FacetNodes& nodes, const Eigen::Vector3d& x, double reach, Eigen::Vector2d& xi);
+
 /// Entries of the nine slots; slots without a node repeat the first one's and get nothing.
 std::array<int, 27> facet_entries(const Layout& layout, const mesh::FacetNodeNumbers& facet);
 /// Positions in the nine slots: of the state, or of the reference body.

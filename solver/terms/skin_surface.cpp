@@ -16,8 +16,6 @@ constexpr double border_reach = 1.0 + 1e-6;
 // bring it to rest. The extended surface is off by the kink angle times this fraction of the facet: of third order in h.
 // The same holds at the border: a point that faced the skin when its triangle was cut faces it until the next cut.
 constexpr double hysteresis = 0.2;
-// Corner nodes (tensor order) of the edges eta = -1, xi = +1, eta = +1, xi = -1.
-constexpr std::array<std::array<int, 2>, 4> edge_corners = {{{0, 2}, {2, 8}, {8, 6}, {6, 0}}};
 
 }  // namespace
 
@@ -27,12 +25,14 @@ struct SkinSurface::Tree {
 };
 
 SkinSurface::SkinSurface(const Layout& layout, const mesh::BodyMesh& mesh, bool deformable)
-    : layout_(layout), deformable_(deformable), facets_(mesh.skin_facets), reference_(mesh.nodes) {
+    : layout_(layout), deformable_(deformable), kind_(facet_kind(mesh.kind)), domain_(&facet_domain(kind_)),
+      facets_(mesh.skin_facets), reference_(mesh.nodes) {
   connect();
   std::vector<std::pair<Tree::Box, int>> boxes;
   for (int f = 0; f < facets(); ++f) {
     std::vector<dealii::Point<3>> points;
-    for (const int node : facets_[f]) points.emplace_back(reference_[node].x(), reference_[node].y(), reference_[node].z());
+    for (const int node : facets_[f])
+      if (node >= 0) points.emplace_back(reference_[node].x(), reference_[node].y(), reference_[node].z());
     boxes.emplace_back(Tree::Box(points), f);
   }
   tree_ = std::make_unique<Tree>(Tree{dealii::pack_rtree(boxes)});
@@ -42,10 +42,11 @@ SkinSurface::~SkinSurface() = default;
 
 void SkinSurface::connect() {
   std::map<std::pair<int, int>, std::pair<int, int>> open;  // corner pair -> facet, edge
-  neighbours_.assign(facets_.size(), {-1, -1, -1, -1});
+  const int edges = static_cast<int>(domain_->edges.size());
+  neighbours_.assign(facets_.size(), std::vector<int>(edges, -1));
   for (int f = 0; f < facets(); ++f)
-    for (int e = 0; e < 4; ++e) {
-      const int a = facets_[f][edge_corners[e][0]], b = facets_[f][edge_corners[e][1]];
+    for (int e = 0; e < edges; ++e) {
+      const int a = facets_[f][domain_->edge_corners[e][0]], b = facets_[f][domain_->edge_corners[e][1]];
       const auto key = std::minmax(a, b);
       const auto [it, fresh] = open.emplace(key, std::pair{f, e});
       if (fresh) continue;
@@ -55,8 +56,8 @@ void SkinSurface::connect() {
 }
 
 FacetNodes SkinSurface::positions(const State& state, int facet) const {
-  FacetNodes nodes;
-  for (int a = 0; a < 9; ++a)
+  FacetNodes nodes = FacetNodes::Zero();
+  for (int a = 0; a < 9 && facets_[facet][a] >= 0; ++a)
     nodes.col(a) = deformable_ ? Eigen::Vector3d(state.values.segment<3>(layout_.body(facets_[facet][a])))
                                : reference_[facets_[facet][a]];
   return nodes;
@@ -65,24 +66,23 @@ FacetNodes SkinSurface::positions(const State& state, int facet) const {
 bool SkinSurface::settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const {
   int previous = -1;
   for (int walk = 0; walk < 12; ++walk, stay = 0.0) {
-    if (!project(positions(state, site.facet), x, 1.5, site.xi)) return false;
-    const Eigen::Vector2d over = site.xi.cwiseAbs().array() - 1.0;
-    const int axis = over[1] > over[0] ? 1 : 0;
-    if (over[axis] <= 1e-9) return true;
-    const int edge = axis == 0 ? (site.xi[0] > 0 ? 1 : 3) : (site.xi[1] > 0 ? 2 : 0);
+    if (!project(kind_, positions(state, site.facet), x, 1.5, site.xi)) return false;
+    int edge = 0;
+    for (int e = 1; e < static_cast<int>(domain_->edges.size()); ++e)
+      if (beyond(*domain_, e, site.xi) > beyond(*domain_, edge, site.xi)) edge = e;
+    const double over = beyond(*domain_, edge, site.xi);
+    if (over <= 1e-9 || over <= stay) return true;
     const int next = neighbours_[site.facet][edge];
-    if (over[axis] <= stay) return true;
     if (next < 0) {  // the border: a hair's breadth over it still counts
-      const bool near = over[axis] <= border_reach - 1.0;
-      site.xi = site.xi.cwiseMax(-1.0).cwiseMin(1.0);
-      return near;
+      site.xi = clamped(kind_, site.xi);
+      return over <= border_reach - 1.0;
     }
     if (next == previous) {  // the point stands over a convex kink between two facets: their common edge is nearest
-      site.xi = site.xi.cwiseMax(-1.0).cwiseMin(1.0);
+      site.xi = clamped(kind_, site.xi);
       return true;
     }
     previous = site.facet;
-    site = {next, Eigen::Vector2d::Zero()};
+    site = {next, domain_->centre};
   }
   return false;
 }
@@ -102,9 +102,9 @@ Site SkinSurface::find(const State& state, const Eigen::Vector3d& x) const {
   Site best;
   double distance = std::numeric_limits<double>::max();
   for (const auto& [box, facet] : near) {
-    Site site{facet, Eigen::Vector2d::Zero()};
+    Site site{facet, domain_->centre};
     if (!settle(state, x, 0.0, site)) continue;
-    const double d = (x - positions(state, site.facet) * facet_shape(site.xi).N).norm();
+    const double d = (x - positions(state, site.facet) * facet_shape(kind_, site.xi).N).norm();
     if (d < distance) distance = d, best = site;
   }
   return best;

@@ -1,4 +1,4 @@
-// The skin as master surface: biquadratic facets, their neighbours, and where a garment point meets them.
+// The skin as master surface: its facets, their neighbours, and where a garment point meets them.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 #include "mesh/body/body_mesh.hpp"
 #include "solver/algebra/state.hpp"
-#include "solver/terms/facet.hpp"
+#include "solver/terms/facet_kind.hpp"
 
 namespace snug::solver {
 
@@ -27,10 +27,13 @@ class SkinSurface {
 
   bool deformable() const { return deformable_; }
   int facets() const { return static_cast<int>(facets_.size()); }
-  const std::array<int, 9>& nodes_of(int facet) const { return facets_[facet]; }
+  mesh::FacetKind kind() const { return kind_; }
+  const FacetDomain& domain() const { return *domain_; }
+  /// Node numbers, -1 in the slots that the kind does not use.
+  const mesh::FacetNodeNumbers& nodes_of(int facet) const { return facets_[facet]; }
   FacetNodes positions(const State& state, int facet) const;
-  /// Neighbour across the edges eta = -1, xi = +1, eta = +1, xi = -1; -1 on the border.
-  const std::array<int, 4>& neighbours(int facet) const { return neighbours_[facet]; }
+  /// Neighbour across each edge of the domain; -1 on the border.
+  const std::vector<int>& neighbours(int facet) const { return neighbours_[facet]; }
 
   /// Global search for the facet nearest to x: a tree of bounding boxes of the reference surface, then projection.
   Site find(const State& state, const Eigen::Vector3d& x) const;
@@ -45,8 +48,10 @@ class SkinSurface {
 
   Layout layout_;
   bool deformable_;
-  std::vector<std::array<int, 9>> facets_;
-  std::vector<std::array<int, 4>> neighbours_;
+  mesh::FacetKind kind_;
+  const FacetDomain* domain_;
+  std::vector<mesh::FacetNodeNumbers> facets_;
+  std::vector<std::vector<int>> neighbours_;
   std::vector<Eigen::Vector3d> reference_;
   std::unique_ptr<Tree> tree_;
 };

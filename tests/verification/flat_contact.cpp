@@ -1,59 +1,16 @@
 // Contact without curvature: the patch test on meshes that do not match.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <random>
-
-#include "solver/scene/constraints.hpp"
 #include "solver/stepping/newton.hpp"
 #include "solver/terms/contact.hpp"
 #include "solver/terms/fabric_membrane.hpp"
-#include "solver/terms/tissue.hpp"
-#include "tests/verification/blocks.hpp"
 #include "tests/verification/book.hpp"
+#include "tests/verification/press.hpp"
 
 namespace snug::tests {
 namespace {
 
 using solver::Layout, solver::State;
-
-/// A sheet of n x n squares over [0, side]^2, each cut in two triangles, inner nodes moved by up to a fifth of a square
-/// so that nothing matches; `height` (x, y) -> z is its placed shape.
-template <class Height>
-mesh::GarmentMesh sheet(int n, double side, const Height& height) {
-  mesh::GarmentMesh mesh;
-  const double h = side / n;
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> shift(-0.2 * h, 0.2 * h);
-  const auto vertex = [&](int i, int j) { return (2 * j) * (2 * n + 1) + 2 * i; };
-  mesh.pattern.assign((2 * n + 1) * (2 * n + 1), Eigen::Vector2d::Zero());
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) {
-      Eigen::Vector2d x(i * h, j * h);
-      if (i > 0 && i < n) x.x() += shift(random);
-      if (j > 0 && j < n) x.y() += shift(random);
-      mesh.pattern[vertex(i, j)] = x;
-    }
-  const auto middle = [&](int a, int b) {  // nodes stand in the grid of halves
-    const int m = (a + b) / 2;
-    mesh.pattern[m] = 0.5 * (mesh.pattern[a] + mesh.pattern[b]);
-    return m;
-  };
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
-      mesh.triangles.push_back({a, b, c, middle(a, b), middle(b, c), middle(c, a)});
-      mesh.triangles.push_back({a, c, d, middle(a, c), middle(c, d), middle(d, a)});
-    }
-  for (std::size_t node = 0; node < mesh.pattern.size(); ++node) {
-    const Eigen::Vector2d& x = mesh.pattern[node];
-    mesh.placed.emplace_back(x.x(), x.y(), height(x));
-    mesh.merged.push_back(static_cast<int>(node));
-  }
-  mesh.warp.assign(mesh.triangles.size(), Eigen::Vector2d::UnitX());
-  mesh.mean_edge = h;
-  return mesh;
-}
 
 /// A dead load p (Pa of the pattern) along -z on every triangle.
 class DeadLoad final : public solver::Term {
@@ -86,53 +43,13 @@ class DeadLoad final : public solver::Term {
   std::vector<double> area_;
 };
 
-struct Fixed {
-  std::vector<int> master;
-  explicit Fixed(const Layout& layout) : master(layout.size()) {
-    for (int i = 0; i < layout.size(); ++i) master[i] = i;
-  }
-  void fix(int entry) { master[entry] = -1; }
-};
-
-materials::SolidLaw tissue(double shear, double poisson) {
-  input::MaterialReference reference;
-  reference.table = fmt::format("law = 'neo-Hooke'\nshear_modulus = '{} Pa'\npoisson_ratio = {}", shear, poisson);
-  return materials::find_tissue(reference).law;
-}
-
-/// Body under a sheet: its top is the skin, its sides slide, its bottom is held along z.
-struct Press {
-  mesh::BodyMesh body;
-  mesh::GarmentMesh garment;
-  Layout layout;
-  Fixed fixed;
-
-  Press(mesh::BodyMesh b, mesh::GarmentMesh g)
-      : body(std::move(b)), garment(std::move(g)), layout(solver::make_layout(body, garment, true, true)), fixed(layout) {
-    body.skin_facets = body.surface("top")->facets;
-    body.mean_skin_cell = mesh::mean_edge(body, body.skin_facets);
-    const auto slide = [&](const std::string& face, int component) {
-      for (const int node : body.surface(face)->nodes) fixed.fix(layout.body(node, component));
-    };
-    slide("left", 0), slide("right", 0), slide("front", 1), slide("back", 1), slide("bottom", 2);
-  }
-};
-
-/// Block of the unit cube: u along x, v upwards, w against y, so that it is right-handed.
-mesh::BodyMesh upright_block(std::array<int, 3> cells, const std::function<Eigen::Vector3d(double, double, double)>& at) {
-  Block block;
-  block.cells = cells;
-  block.map = [at](const Eigen::Vector3d& u) { return at(u.x(), 1.0 - u.z(), u.y()); };
-  return make_block(block);
-}
-
 // A sheet pressed by a uniform dead load on to a block whose mesh it does not match transmits it uniformly: the
 // quadrature is cut along the facets, so that multipliers and stress are exact up to round-off (reference book 3: 1e-10
 // with clipping).
 TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   const double pressure = 700.0, shear = 1e4;
   Press press(upright_block({3, 2, 3}, [](double x, double y, double z) { return Eigen::Vector3d(x, y, z); }),
-              sheet(4, 1.0, [](const Eigen::Vector2d&) { return 1.0; }));
+              sheet({4, 4}, {1.0, 1.0}, [](const Eigen::Vector2d&) { return 1.0; }));
   const auto& [body, garment, layout, fixed] = press;
   for (std::size_t node = 0; node < garment.pattern.size(); ++node) {
     const Eigen::Vector2d& x = garment.pattern[node];

@@ -31,7 +31,7 @@ TEST(Facet, TheClosestPointIsOrthogonalToTheCurvedFacet) {
     const auto at = solver::facet_point(nodes, solver::facet_shape(there));
     const double gap = 0.004 * r[2];
     Eigen::Vector2d xi(0.0, 0.0);
-    ASSERT_TRUE(solver::project(nodes, at.y + gap * at.n, 1.5, xi));
+    ASSERT_TRUE(solver::project(mesh::FacetKind::quad9, nodes, at.y + gap * at.n, 1.5, xi));
     EXPECT_LE((xi - there).norm(), 1e-12);
     const auto found = solver::facet_point(nodes, solver::facet_shape(xi));
     const Eigen::Vector3d arm = at.y + gap * at.n - found.y;
