@@ -19,6 +19,8 @@ int parts(double garment_edge, double skin_cell) {
 // A facet counts as coupled to a triangle when a point is this near to its edge (a facet measures 2), so that the pattern
 // of the matrix lasts.
 constexpr double coupling_margin = 0.15;
+// Iterations in which the number of vertices on the wrong side of contact need not fall.
+constexpr int most_patience = 5;
 // Rows are this much stiffer than the active-set decision: a decision on a stiff scale would turn gaps of second order
 // in the step into releases, a row on a soft scale would converge linearly.
 constexpr double row_stiffening = 1e4;
@@ -131,6 +133,7 @@ void Contact::rebuild_entries() {
 }
 
 void Contact::renew(const State& state) {
+  fewest_wrong_ = vertices() + 1, patience_ = most_patience;
   const SkinNodes nodes = skin_nodes(skin_, state, skin_nodes_);
   tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
     Element& element = elements_[e];
@@ -182,14 +185,31 @@ bool Contact::update(const State& state) {
   if (points() == 0) renew(state);
   const bool moved = locate(state);
   weigh(state);
-  changed_ = 0;
+  change_active_set(state);
+  return moved;
+}
+
+// Block principal pivoting (Judice & Pires, Computers & Operations Research 21 (1994)): all vertices on the wrong side
+// change at once as long as their number falls. When it has not for some iterations the sets go in circles, which the
+// hats' full coupling allows; then only the last of them changes, which ends for every positive definite problem
+// (Murty, Linear Algebra and its Applications 7 (1974)), until the number has fallen.
+void Contact::change_active_set(const State& state) {
+  std::vector<int> wrong;
   for (int i = 0; i < vertices(); ++i) {
     const double trial = state.values[layout_.multiplier(i)] - stiffness_ * weighted_gap_[i] / area_[i];
     const char now = trial > 0.0 && facing_area_[i] > 0.05 * area_[i];
-    if (now != active_[i]) ++changed_;
-    active_[i] = now;
+    if (now != active_[i]) wrong.push_back(i);
   }
-  return moved;
+  changed_ = static_cast<int>(wrong.size());
+  if (changed_ == 0 || changed_ < fewest_wrong_) {
+    fewest_wrong_ = changed_ == 0 ? vertices() + 1 : changed_;
+    patience_ = most_patience;
+  } else if (patience_ > 0) {
+    --patience_;
+  } else {
+    wrong = {wrong.back()};
+  }
+  for (const int i : wrong) active_[i] = !active_[i];
 }
 
 // What the points of one triangle on one facet add: 6 garment nodes, 9 facet nodes (three entries each), 3 multipliers.

@@ -81,6 +81,7 @@ class Contact : public Term {
   void couple(Element& element);
   void rebuild_entries();
   void weigh(const State& state);
+  void change_active_set(const State& state);
   struct Patch;
   void add_points(const State& state, const Element& element, Tangent tangent, Slot& slot) const;
   void add_point(const State& state, const Element& element, const TriangleNodes& x, const ContactPoint& point,
@@ -103,7 +104,8 @@ class Contact : public Term {
   std::vector<double> weighted_gap_;     ///< g~_i at the last update, m3
   std::vector<double> facing_area_;      ///< the part of A_i that faces the skin
   std::vector<char> active_;
-  int changed_ = 0;
+  int changed_ = 0;                      ///< vertices on the wrong side at the last update
+  int fewest_wrong_ = 0, patience_ = 0;
   ElementEntries entries_;
 };
 
