@@ -1,11 +1,13 @@
 #include "postproc/evaluate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
 
-#include "postproc/pressure_table.hpp"
-#include "postproc/sensation.hpp"
+#include "postproc/comfort/curve_library.hpp"
+#include "postproc/comfort/pressure_table.hpp"
 #include "postproc/skin_pressure.hpp"
 
 namespace snug::postproc {
@@ -46,19 +48,56 @@ void rate_row(const SensationCurves& curves, LocationRow& row) {
   row.term = rating.term;
   row.significant = rating.significant;
   row.extrapolated = rating.extrapolated;
+  row.rating_error = rating.error;
+  row.degrees = rating.degrees;
+}
+
+std::vector<ThresholdRow> hold_against(const std::vector<SensationCurves>& sets, const std::vector<LocationRow>& rows) {
+  std::vector<ThresholdRow> result;
+  for (const SensationCurves& set : sets)
+    for (const LocationRow& row : rows) {
+      const std::string found = row.coverage > 0 ? verdict(set, row.name, row.mean_pressure) : std::string();
+      if (!found.empty()) result.push_back({set.name, row.name, row.mean_pressure, found});
+    }
+  return result;
+}
+
+/// Comfort of the rated locations; none when no rule of the system speaks of them.
+std::optional<Comfort> comfort_of(const std::vector<LocationRating>& ratings, const input::ComfortSpec& spec,
+                                  const std::filesystem::path& directory) {
+  std::vector<std::string> names;
+  for (const LocationRating& rating : ratings) names.push_back(rating.location);
+  const FuzzySystem system = load_fuzzy(spec.fuzzy, names, directory);
+  try {
+    return judge(ratings, system, {spec.samples, spec.seed});
+  } catch (const std::invalid_argument& fault) {
+    throw input::InputError(spec.fuzzy.where,
+                            fmt::format("the fuzzy system \"{}\" cannot judge: {}", system.name, fault.what()),
+                            fmt::format("name its inputs like the locations: {}", fmt::join(names, ", ")));
+  }
 }
 
 }  // namespace
 
 void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, const std::filesystem::path& directory) {
-  const SensationCurves curves = load_curves(comfort, directory);
-  evaluation.curves = curves.source;
-  std::vector<std::pair<std::string, double>> ratings;
+  const Evidence evidence = load_evidence(comfort, directory);
+  evaluation.curves = evidence.curves.name;
+  evaluation.curves_source = evidence.curves.source;
+  evaluation.thresholds = hold_against(evidence.thresholds, evaluation.locations);
+  std::vector<LocationRating> ratings;
   for (LocationRow& row : evaluation.locations) {
-    rate_row(curves, row);
-    if (row.rating) ratings.emplace_back(row.name, *row.rating);
+    rate_row(evidence.curves, row);
+    if (row.rating) ratings.push_back({row.name, *row.rating, row.rating_error, row.degrees});
   }
-  if (!ratings.empty()) evaluation.comfort = judge(ratings);
+  if (!ratings.empty()) evaluation.comfort = comfort_of(ratings, comfort, directory);
+}
+
+Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem::path& directory) {
+  Evidence evidence{load_curves(comfort.curves, directory), {}};
+  for (const input::MaterialReference& set : comfort.thresholds)
+    evidence.thresholds.push_back(load_bands(set, directory));
+  if (!comfort.fuzzy.name.empty()) load_fuzzy(comfort.fuzzy, {}, directory);
+  return evidence;
 }
 
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,

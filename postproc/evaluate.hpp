@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "cases/input/case.hpp"
-#include "postproc/comfort.hpp"
+#include "postproc/comfort/comfort.hpp"
+#include "postproc/comfort/sensation.hpp"
 #include "postproc/result.hpp"
 
 namespace snug::postproc {
@@ -22,12 +23,23 @@ struct LocationRow {
   std::string term;              ///< neutral ... extremely uncomfortable; empty without a rating
   bool significant = true;       ///< false: the trial shows no effect of pressure here, the rating is its mean
   bool extrapolated = false;     ///< the mean pressure lies outside the trial's range
+  double rating_error = 0.0;     ///< standard error of the rating; NaN when the curve tells no scatter
+  int degrees = 0;               ///< of freedom behind it
+};
+
+/// Where the mean pressure of a location lies among named ranges.
+struct ThresholdRow {
+  std::string set, location;
+  double pressure = 0.0;  ///< Pa
+  std::string verdict;    ///< "CCL 2", "below onset of sensation", "between CCL 1 and CCL 2", ...
 };
 
 struct Evaluation {
   std::vector<LocationRow> locations;  ///< in the order of the result's locations
   std::optional<Comfort> comfort;      ///< none when no location has a rating
-  std::string curves;                  ///< where the sensation curves come from; empty without a comfort section
+  std::vector<ThresholdRow> thresholds;  ///< of the covered locations that a chosen set speaks of
+  std::string curves;                    ///< name of the sensation curves; empty without a comfort section
+  std::string curves_source;             ///< their citation
 };
 
 /// Evaluates the last state of a run. `directory`: of the case, for a relative curve file.
@@ -49,6 +61,13 @@ std::vector<LocationPressure> read_pressures(const std::filesystem::path& file);
 /// Throws InputError when no location has a curve.
 Evaluation score(const std::vector<LocationPressure>& pressures, const input::ComfortSpec& comfort,
                  const std::filesystem::path& directory = {});
+
+/// The data behind [comfort], read and checked. Throws InputError.
+struct Evidence {
+  SensationCurves curves;
+  std::vector<SensationCurves> thresholds;
+};
+Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem::path& directory = {});
 
 /// Adds rating and term to the rows that have cover and a curve, and the comfort of those together.
 void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, const std::filesystem::path& directory);

@@ -38,6 +38,7 @@ Json location_json(const LocationRow& row) {
   json["term"] = row.term;
   json["significant"] = row.significant;
   json["extrapolated"] = row.extrapolated;
+  json["rating_error"] = row.rating_error;
   return json;
 }
 
@@ -47,7 +48,35 @@ Json locations_json(const Evaluation& evaluation) {
   return json;
 }
 
-Json comfort_json(const Comfort& comfort, const std::string& curves) {
+Json interval_json(const ScoreInterval& interval) {
+  return {{"level", interval.level},
+          {"low", interval.low},
+          {"high", interval.high},
+          {"standard_deviation", interval.deviation},
+          {"samples", interval.samples},
+          {"seed", interval.seed},
+          {"without_scatter", interval.without_scatter}};
+}
+
+Json thresholds_json(const Evaluation& evaluation) {
+  Json json = Json::array();
+  for (const ThresholdRow& row : evaluation.thresholds)
+    json.push_back(
+        {{"set", row.set}, {"location", row.location}, {"pressure_Pa", row.pressure}, {"verdict", row.verdict}});
+  return json;
+}
+
+/// Locations whose pressure lies outside the data behind their curve.
+Json extrapolated_json(const Evaluation& evaluation) {
+  Json json = Json::array();
+  for (const LocationRow& row : evaluation.locations)
+    if (row.rating && row.extrapolated) json.push_back(row.name);
+  return json;
+}
+
+// The keys are documented in docs/comfort.md; the report reads them.
+Json comfort_json(const Evaluation& evaluation) {
+  const Comfort& comfort = *evaluation.comfort;
   Json memberships = Json::array(), rules = Json::array(), output = Json::object();
   for (const LocationMembership& membership : comfort.memberships) {
     Json degrees = Json::object();
@@ -55,12 +84,19 @@ Json comfort_json(const Comfort& comfort, const std::string& curves) {
       degrees[comfort.sensation_terms[t]] = membership.degrees.at(t);
     memberships.push_back({{"location", membership.location}, {"rating", membership.rating}, {"degrees", degrees}});
   }
-  for (const FiredRule& rule : comfort.rules) rules.push_back({{"rule", rule.rule}, {"strength", rule.strength}});
+  for (const FiredRule& rule : comfort.rules) rules.push_back({{"rule", rule.rule}, {"then", rule.term}, {"strength", rule.strength}});
   for (const auto& [term, degree] : comfort.output_memberships) output[term] = degree;
   return {{"score", comfort.score},
           {"term", comfort.term},
-          {"scale", "0 comfortable, 2 acceptable, 4 uncomfortable"},
-          {"curves", curves},
+          {"scale", comfort.scale},
+          {"interval", comfort.interval ? interval_json(*comfort.interval) : Json()},
+          {"curves", evaluation.curves},
+          {"curves_source", evaluation.curves_source},
+          {"fuzzy", comfort.system},
+          {"extrapolated", extrapolated_json(evaluation)},
+          {"left_out", comfort.left_out},
+          {"inputs_without_rating", comfort.silent},
+          {"thresholds", thresholds_json(evaluation)},
           {"memberships", memberships},
           {"rules", rules},
           {"output_memberships", output}};
@@ -127,7 +163,9 @@ void add_outcome(Json& json, const RunResult& run) {
 void add_evaluation(Json& json, const Evaluation& evaluation) {
   json["locations"] = locations_json(evaluation);
   json["comfort"] = nullptr;
-  if (evaluation.comfort) json["comfort"] = {{"score", evaluation.comfort->score}, {"term", evaluation.comfort->term}};
+  if (!evaluation.comfort) return;
+  json["comfort"] = {{"score", evaluation.comfort->score}, {"term", evaluation.comfort->term}};
+  if (evaluation.comfort->interval) json["comfort"]["interval"] = interval_json(*evaluation.comfort->interval);
 }
 
 }  // namespace
@@ -150,12 +188,14 @@ void write_summary(std::ostream& out, const RunResult& run, const Evaluation& ev
 
 void write_comfort(std::ostream& out, const Evaluation& evaluation) {
   if (!evaluation.comfort) throw std::logic_error("write_comfort: the evaluation has no comfort");
-  out << text_of(comfort_json(*evaluation.comfort, evaluation.curves));
+  out << text_of(comfort_json(evaluation));
 }
 
 std::string evaluation_json(const Evaluation& evaluation) {
-  Json json = {{"locations", locations_json(evaluation)}, {"comfort", nullptr}};
-  if (evaluation.comfort) json["comfort"] = comfort_json(*evaluation.comfort, evaluation.curves);
+  Json json = {{"locations", locations_json(evaluation)},
+               {"thresholds", thresholds_json(evaluation)},
+               {"comfort", nullptr}};
+  if (evaluation.comfort) json["comfort"] = comfort_json(evaluation);
   return text_of(json);
 }
 

@@ -21,16 +21,17 @@ std::string csv_cell(const std::string& text) {
 
 void write_locations(std::ostream& out, const Evaluation& evaluation) {
   out << "location,area_m2,coverage,mean_pressure_Pa,max_pressure_Pa,mean_pressure_gf_per_cm2,max_pressure_gf_per_cm2,"
-         "mean_pressure_mmHg,max_pressure_mmHg,rating,term,significant,extrapolated\n";
+         "mean_pressure_mmHg,max_pressure_mmHg,rating,term,significant,extrapolated,rating_error\n";
   for (const LocationRow& row : evaluation.locations) {
     fmt::print(out, "{},{:.6g},{:.4f}", csv_cell(row.name), row.area, row.coverage);
     fmt::print(out, ",{:.6g},{:.6g}", row.mean_pressure, row.max_pressure);
     fmt::print(out, ",{:.6g},{:.6g}", to_gf_cm2(row.mean_pressure), to_gf_cm2(row.max_pressure));
     fmt::print(out, ",{:.6g},{:.6g}", to_mmHg(row.mean_pressure), to_mmHg(row.max_pressure));
     if (row.rating)
-      fmt::print(out, ",{:.4f},{},{},{}\n", *row.rating, row.term, row.significant, row.extrapolated);
+      fmt::print(out, ",{:.4f},{},{},{},{:.4f}\n", *row.rating, row.term, row.significant, row.extrapolated,
+                 row.rating_error);
     else
-      out << ",,,,\n";
+      out << ",,,,,\n";
   }
 }
 

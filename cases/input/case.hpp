@@ -27,14 +27,32 @@ struct ContactSpec {
 };
 
 struct ComfortSpec {
-  MaterialReference curves;  ///< "wear trial 2002" or a CSV file of the case
+  MaterialReference curves;                   ///< shipped set, TOML or CSV file of the case
+  MaterialReference fuzzy;                    ///< shipped system, .fll or .fis file; empty: table 5.4 over the locations
+  std::vector<MaterialReference> thresholds;  ///< sets of pressure bands
+  int samples = 1000;                         ///< of the ratings, for the interval of the score; 0: none
+  int seed = 1;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "curves",
-                .meaning = "sensation against pressure by location: \"wear trial 2002\" or a CSV file",
+                .meaning = "sensation against pressure by location: a shipped set (snug list curves), a TOML file of "
+                           "curves or a CSV file of ratings",
                 .required = true},
           self.curves);
+    field(Field{.key = "fuzzy",
+                .meaning = "system that joins the ratings: \"wear trial 2002\", \"wear trial 2002, single terms\", or a "
+                           ".fll or .fis file; left out: the rules of the first one for the locations that have ratings"},
+          self.fuzzy);
+    field(Field{.key = "thresholds",
+                .meaning = "named ranges that the pressures are held against: shipped sets (snug list curves) or TOML "
+                           "files"},
+          self.thresholds);
+    field(Field{.key = "samples",
+                .meaning = "draws of the ratings about their curves for the interval of the score; 0: no interval",
+                .bound = between(0, 1000000)},
+          self.samples);
+    field(Field{.key = "seed", .meaning = "of the draws", .bound = non_negative()}, self.seed);
   }
 };
 

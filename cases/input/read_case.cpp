@@ -12,10 +12,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A curve file that the case names is found beside case.toml; other names are entries of the shipped data.
-void resolve_curves(MaterialReference& curves, const ReadRules& rules, Diagnostics& diagnostics) {
-  if (fs::path(curves.name).extension() == ".csv")
-    curves.name = resolve_path(curves.name, curves.where, rules, diagnostics).string();
+/// A file that [comfort] names must lie in the case directory; other names are entries of the shipped data.
+void check_file(const MaterialReference& reference, const ReadRules& rules, Diagnostics& diagnostics) {
+  for (const char* ending : {".csv", ".toml", ".fll", ".fis"})
+    if (fs::path(reference.name).extension() == ending)
+      resolve_path(reference.name, reference.where, rules, diagnostics);
+}
+
+void check_files(const ComfortSpec& comfort, const ReadRules& rules, Diagnostics& diagnostics) {
+  check_file(comfort.curves, rules, diagnostics);
+  check_file(comfort.fuzzy, rules, diagnostics);
+  for (const MaterialReference& set : comfort.thresholds) check_file(set, rules, diagnostics);
 }
 
 Table parse_case(const fs::path& directory, Diagnostics& diagnostics) {
@@ -40,7 +47,7 @@ Case read_case(const fs::path& directory, const ReadOptions& options) {
   Case description = read<Case>(root, diagnostics, rules);
   description.directory = directory;
   complete(description, root);
-  if (description.comfort) resolve_curves(description.comfort->curves, rules, diagnostics);
+  if (description.comfort) check_files(*description.comfort, rules, diagnostics);
   check_case(description, root, diagnostics);
   diagnostics.throw_if_any();
   return description;

@@ -1,4 +1,5 @@
-// snug convert DIR FILE.inp: the body of a case under its load as CalculiX input.
+// snug convert DIR FILE.inp: the body of a case under its load as CalculiX input; SYSTEM FILE.fll or FILE.fis: a fuzzy
+// system.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +8,7 @@
 #include "materials/laws/solid_law.hpp"
 #include "mesh/formats/calculix.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/convert_fuzzy.hpp"
 #include "solver/app/prepared_case.hpp"
 
 namespace snug::app {
@@ -48,15 +50,19 @@ void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& b
 class Convert : public Command {
  public:
   std::string name() const override { return "convert"; }
-  std::string summary() const override { return "write the body of a case under its load as CalculiX input"; }
+  std::string summary() const override { return "write the body of a case as CalculiX input, or a fuzzy system as FLL or FIS"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("DIR", directory_, "case directory")->required();
-    app.add_option("FILE", file_, "where the input goes, FILE.inp")->required();
+    app.add_option("DIR", directory_, "case directory, or a fuzzy system: a shipped name or a .fll or .fis file")->required();
+    app.add_option("FILE", file_, "where the result goes, FILE.inp, FILE.fll or FILE.fis")->required();
     options_.declare(app);
   }
 
   int execute() override {
+    if (is_fuzzy_file(file_)) {
+      convert_fuzzy(directory_, file_);
+      return done;
+    }
     const PreparedCase prepared = prepare(directory_, options_);
     const mesh::BodyMesh& body = prepared.meshes.body;
     refuse_what_is_lost(prepared.description, body);

@@ -6,6 +6,7 @@
 
 #include "cases/input/reference.hpp"
 #include "cases/input/suggestion.hpp"
+#include "solver/app/comfort_pages.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/material_list.hpp"
 #include "solver/app/shipped_cases.hpp"
@@ -72,14 +73,14 @@ std::string row_text(const input::ReferenceRow& row) {
 class Explain : public Command {
  public:
   std::string name() const override { return "explain"; }
-  std::string summary() const override { return "what a key of case.toml or of a law means"; }
+  std::string summary() const override { return "what a key of case.toml, a law or a set of sensation curves means"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("KEY", key_, "e.g. garment.position, thickness, a section such as garment, or a law such as law.Ogden")->required();
+    app.add_option("KEY", key_, "e.g. garment.position, thickness, a section such as garment, a law such as law.Ogden, or curves such as \"wear trial 2002\"")->required();
   }
 
   int execute() override {
-    std::string text = law_page_text(key_), keys;
+    std::string text = law_page_text(key_) + curves_page(key_), keys;
     std::vector<std::string> known = law_names();
     if (!text.empty() && key_.starts_with("law.")) key_.erase(0, 4);
     for (const input::ReferenceRow& row : whole_reference()) {
@@ -110,18 +111,29 @@ class List : public Command {
  public:
   std::string name() const override { return "list"; }
   std::string summary() const override { return "everything that can be chosen: keys, laws, materials, cases"; }
-  void declare(CLI::App&) override {}
+  void declare(CLI::App& app) override {
+    app.add_option("TOPIC", topic_, "curves: only the sensation curves, thresholds and fuzzy systems")
+        ->check(CLI::IsMember({"curves"}));
+  }
 
   int execute() override {
+    if (topic_ == "curves") {
+      fmt::print("{}", curves_text());
+      return done;
+    }
     print_rows("keys of case.toml", input::case_reference());
     fmt::print("\nlaws of solids (snug explain law.NAME)\n  {}\n", input::joined(law_names()));
     print_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_reference());
     fmt::print("\nshipped materials\n{}", materials_text());
-    fmt::print("\nsensation curves\n\"wear trial 2002\", or a CSV file of the case\n");
+    fmt::print("\nsensation curves and thresholds (snug explain \"NAME\"), or a TOML or CSV file of the case\n{}",
+               curves_text());
     fmt::print("\nshipped cases (snug new NAME --like CASE)\n");
     for (const std::string& name : shipped_cases()) fmt::print("  {}\n", name);
     return done;
   }
+
+ private:
+  std::string topic_;
 };
 
 }  // namespace

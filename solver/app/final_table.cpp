@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cases/input/suggestion.hpp"
 #include "postproc/units.hpp"
 #include "solver/app/print_plan.hpp"
 
@@ -19,6 +20,20 @@ std::string rating_text(const postproc::LocationRow& row) {
   std::string text = fmt::format("{:.2f} {}", *row.rating, row.term);
   if (!row.significant) text += " (the trial found no effect of pressure here)";
   if (row.extrapolated) text += " (outside the trial's pressures)";
+  return text;
+}
+
+std::string comfort_text(const postproc::Comfort& comfort) {
+  std::string text = fmt::format("  comfort            {:.2f} {} ({})\n", comfort.score, comfort.term, comfort.scale);
+  if (comfort.interval)
+    text += fmt::format("    of which         {:.0f} % of {} draws about the curves lie in {:.2f} to {:.2f}{}\n",
+                        comfort.interval->level * 100.0, comfort.interval->samples, comfort.interval->low,
+                        comfort.interval->high,
+                        comfort.interval->without_scatter.empty() ? "" : "; no scatter known of " +
+                            input::joined(comfort.interval->without_scatter));
+  if (!comfort.left_out.empty())
+    text += fmt::format("    not judged       {}: no input of the fuzzy system \"{}\"\n",
+                        input::joined(comfort.left_out), comfort.system);
   return text;
 }
 
@@ -89,9 +104,9 @@ std::string locations_text(const postproc::Evaluation& evaluation) {
     text += fmt::format("  {:<16} {:>5.0f} % {:>9.0f} {:>9.2f} {:>8.2f} {:>9.0f}  {}\n", row.name, row.coverage * 100.0,
                         row.mean_pressure, to_gf_cm2(row.mean_pressure), to_mmHg(row.mean_pressure), row.max_pressure,
                         rating_text(row));
-  if (evaluation.comfort)
-    text += fmt::format("  comfort            {:.2f} {} (0 comfortable, 2 acceptable, 4 uncomfortable)\n",
-                        evaluation.comfort->score, evaluation.comfort->term);
+  for (const postproc::ThresholdRow& row : evaluation.thresholds)
+    text += fmt::format("  {:<16} {} ({})\n", row.location, row.verdict, row.set);
+  if (evaluation.comfort) text += comfort_text(*evaluation.comfort);
   return text;
 }
 

@@ -6,7 +6,7 @@
 #include "materials/laws/solid_law.hpp"
 #include "mesh/body/import.hpp"
 #include "mesh/body/scan.hpp"
-#include "postproc/sensation.hpp"
+#include "postproc/evaluate.hpp"
 
 namespace snug::app {
 
@@ -47,7 +47,7 @@ void check_materials(const input::Case& description) {
       else if (layer.form != "rigid")
         collect([&] { materials::find_tissue(layer.material); });
   if (description.garment) collect([&] { materials::find_fabric(description.garment->fabric); });
-  if (description.comfort) collect([&] { postproc::load_curves(*description.comfort, description.directory); });
+  if (description.comfort) collect([&] { postproc::load_evidence(*description.comfort, description.directory); });
   collect.throw_if_any();
 }
 

@@ -27,13 +27,18 @@ std::vector<fs::path> input_files(const input::Case& description) {
   std::vector<fs::path> files = {description.directory / "case.toml"};
   if (description.body && !description.body->stations.empty()) files.push_back(description.body->stations);
   if (description.body && description.body->scan) files.push_back(description.body->scan->surface);
-  if (description.comfort && fs::is_regular_file(description.comfort->curves.name))
-    files.push_back(description.comfort->curves.name);
   if (const auto& reference = description.reference) {
     if (reference->displacement) files.push_back(reference->displacement->file);
     if (reference->stress) files.push_back(reference->stress->file);
     if (reference->nodes) files.push_back(*reference->nodes);
   }
+  if (!description.comfort) return files;
+  std::vector<input::MaterialReference> comfort = description.comfort->thresholds;
+  comfort.insert(comfort.begin(), {description.comfort->curves, description.comfort->fuzzy});
+  for (const input::MaterialReference& reference : comfort)
+    if (const fs::path file = description.directory / reference.name;
+        !reference.name.empty() && fs::is_regular_file(file))
+      files.push_back(file);
   return files;
 }
 

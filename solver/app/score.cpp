@@ -1,16 +1,72 @@
-// snug score FILE.csv: ratings and comfort of given pressures, no mechanics.
+// snug score FILE.csv: ratings and comfort of given pressures, no mechanics; --fit: curves and memberships of a trial.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
+#include "cases/input/csv.hpp"
+#include "postproc/comfort/curve_fit.hpp"
+#include "postproc/comfort/curve_library.hpp"
+#include "postproc/comfort/fuzzy_file.hpp"
+#include "postproc/comfort/membership_fit.hpp"
 #include "postproc/evaluate.hpp"
 #include "postproc/summary.hpp"
+#include "solver/app/comfort_pages.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/final_table.hpp"
 
 namespace snug::app {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// What --fit may be told.
+struct FitOptions {
+  std::string shape = "linear", out = "fitted", source, patch = "not given", population = "not given";
+};
+
+/// Writes text aside and renames, so that nothing is left half-written.
+void write_file(const fs::path& file, const std::string& text) {
+  const fs::path aside = file.string() + ".part";
+  std::ofstream out(aside);
+  out << text;
+  if (!out.flush())
+    throw input::InputError({"--out", 0, 0}, fmt::format("cannot write {}", file.string()),
+                            "name a folder that is there and may be written");
+  out.close();
+  fs::rename(aside, file);
+}
+
+/// The form of FIS files: one term of a location a rule, with the maximum for "or".
+postproc::FuzzySystem single_terms(postproc::FuzzySystem system) {
+  system.disjunction = "Maximum";
+  return system;
+}
+
+void fit(const std::string& file, const FitOptions& options) {
+  input::Diagnostics diagnostics;
+  const input::Csv table = input::read_csv(file, diagnostics);
+  diagnostics.throw_if_any();
+  postproc::SensationCurves curves = postproc::fit_curves(table, options.shape);
+  curves.name = fs::path(options.out).filename().string();
+  curves.source = options.source.empty() ? "fitted by snug score --fit to " + file : options.source;
+  curves.patch = options.patch;
+  curves.population = options.population;
+  const postproc::MembershipFit memberships = postproc::fit_memberships(table);
+  fmt::print("{}{}", statistics_text(curves), memberships_text(memberships));
+  write_file(options.out + ".toml", postproc::curves_toml(curves));
+  write_file(options.out + ".fll", postproc::fll_text(memberships.system));
+  fmt::print("  files            {0}.toml (comfort.curves), {0}.fll (comfort.fuzzy)", options.out);
+  try {
+    write_file(options.out + ".fis", postproc::fis_text(single_terms(memberships.system)));
+    fmt::print(", {}.fis (the same rules, one term of a location a rule)\n", options.out);
+  } catch (const std::invalid_argument& fault) {
+    fmt::print("; no FIS file: {}\n", fault.what());
+  }
+}
 
 class Score : public Command {
  public:
@@ -20,22 +76,52 @@ class Score : public Command {
   void declare(CLI::App& app) override {
     app.add_option("FILE", file_, "CSV with location and pressure_Pa, pressure_gf_per_cm2 or pressure_mmHg")
         ->required();
-    app.add_option("--curves", curves_, "sensation curves: \"wear trial 2002\" or a CSV file")->capture_default_str();
+    app.add_option("--curves", curves_, "sensation curves: a shipped set (snug list curves), a TOML or CSV file")
+        ->capture_default_str();
+    app.add_option("--fuzzy", fuzzy_, "fuzzy system: a shipped one, or a .fll or .fis file");
+    app.add_option("--thresholds", thresholds_, "sets of named pressure ranges (snug list curves), once for each");
+    app.add_option("--samples", spec_.samples, "draws for the interval of the score; 0: none")
+        ->check(CLI::Range(0, 1000000))
+        ->capture_default_str();
+    app.add_option("--seed", spec_.seed, "of the draws")->check(CLI::NonNegativeNumber)->capture_default_str();
     app.add_flag("--json", json_, "print JSON");
+    app.add_flag("--fit", fit_,
+                 "FILE is a wear trial (location, a pressure, sensation_rating; optional sensation_term, answers): fit "
+                 "curves and memberships, write OUT.toml, OUT.fll and OUT.fis");
+    app.add_option("--shape", options_.shape, "--fit: form of the curves")
+        ->check(CLI::IsMember({"linear", "piecewise", "logistic"}))
+        ->capture_default_str();
+    app.add_option("--out", options_.out, "--fit: name of the files written")->capture_default_str();
+    app.add_option("--source", options_.source, "--fit: citation to keep in the curves file");
+    app.add_option("--patch", options_.patch, "--fit: size of the patch of skin")->capture_default_str();
+    app.add_option("--population", options_.population, "--fit: who was asked")->capture_default_str();
   }
 
   int execute() override {
-    input::ComfortSpec comfort;
-    comfort.curves.name = curves_;
-    comfort.curves.where.file = "--curves";
-    const postproc::Evaluation evaluation = postproc::score(postproc::read_pressures(file_), comfort);
-    fmt::print("{}", json_ ? postproc::evaluation_json(evaluation) + "\n" : locations_text(evaluation));
+    if (fit_) {
+      fit(file_, options_);
+      return done;
+    }
+    const auto named = [](const std::string& name, const char* option) {
+      input::MaterialReference reference;
+      reference.name = name;
+      reference.where.file = option;
+      return reference;
+    };
+    spec_.curves = named(curves_, "--curves");
+    spec_.fuzzy = named(fuzzy_, "--fuzzy");
+    for (const std::string& set : thresholds_) spec_.thresholds.push_back(named(set, "--thresholds"));
+    const postproc::Evaluation evaluation = postproc::score(postproc::read_pressures(file_), spec_);
+    fmt::print("{}", json_ ? postproc::evaluation_json(evaluation) : locations_text(evaluation));
     return done;
   }
 
  private:
-  std::string file_, curves_ = "wear trial 2002";
-  bool json_ = false;
+  std::string file_, curves_ = "wear trial 2002", fuzzy_;
+  std::vector<std::string> thresholds_;
+  input::ComfortSpec spec_;
+  FitOptions options_;
+  bool json_ = false, fit_ = false;
 };
 
 }  // namespace

@@ -21,7 +21,10 @@
 #include "mesh/formats/triangle_surface.hpp"
 #include "postproc/listing_reader.hpp"
 #include "postproc/nodal_field.hpp"
-#include "postproc/sensation.hpp"
+#include "postproc/comfort/curve_fit.hpp"
+#include "postproc/comfort/curve_library.hpp"
+#include "postproc/comfort/fuzzy_file.hpp"
+#include "postproc/comfort/membership_fit.hpp"
 
 namespace snug {
 namespace {
@@ -64,6 +67,23 @@ std::vector<Target> targets() {
     const input::Csv csv = input::read_csv(file, diagnostics);
     diagnostics.throw_if_any();
     postproc::fit_curves(csv);
+    for (const char* shape : {"piecewise", "logistic"}) postproc::fit_curves(csv, shape);
+    postproc::fit_memberships(csv);
+  };
+  const auto curve_file = [put](const fs::path& file, const std::string& text) {
+    const fs::path toml_file = file.string() + ".toml";
+    put(toml_file, text);
+    input::MaterialReference reference;
+    reference.name = toml_file.filename().string();
+    const postproc::SensationCurves set = postproc::find_curves(reference, toml_file.parent_path());
+    for (const postproc::SensationCurve& curve : set.curves) postproc::rate(curve, 1e3);
+  };
+  const auto fuzzy = [](postproc::FuzzyFormat format) {
+    return [format](const fs::path&, const std::string& text) {
+      postproc::FuzzySystem system = postproc::read_fuzzy_text(text, format, "fuzz");
+      system.resolution = std::min(system.resolution, 101);
+      postproc::infer(system, std::vector<double>(system.inputs.size(), 1.0));
+    };
   };
   return {
       {"listing",
@@ -76,6 +96,24 @@ std::vector<Target> targets() {
        curves,
        {text_of(source / "postproc/data/wear_trial_2002.csv")},
        {",", "\"", "[mm]", "\n", "#", "1e400", "nan"}},
+      {"curves",
+       curve_file,
+       {text_of(source / "postproc/data/ral_gz_387.toml"),
+        "name = \"a\"\nsource = \"b\"\npatch = \"c\"\npopulation = \"d\"\n[[curves]]\nlocation = \"calf\"\n"
+        "shape = \"piecewise\"\nrange = [\"1 kPa\", \"2 kPa\"]\npressures = [\"1 kPa\", \"2 kPa\"]\nratings = [1, 2]\n"},
+       {"[[curves]]\n", "[[bands]]\n", "logistic", "\"1 Pa\"", "1e999", "nan", "width = \"1e-300 Pa\"\n", "\n"}},
+      {"fll",
+       fuzzy(postproc::FuzzyFormat::fll),
+       {text_of(source / "postproc/data/wear_trial_2002.fll")},
+       {"term: ", "rule: if ", " and ", " or ", "(", ")", "Bell", "Function x*x", "Centroid", "nan", "1e999", "\n", ":"}},
+      {"fis",
+       fuzzy(postproc::FuzzyFormat::fis),
+       {text_of(source / "postproc/data/wear_trial_2002.fis").substr(0, 4000) + "\n",
+        "[System]\nName='a'\nType='mamdani'\nNumInputs=1\nNumOutputs=1\nNumRules=1\nAndMethod='min'\nOrMethod='max'\n"
+        "ImpMethod='min'\nAggMethod='max'\nDefuzzMethod='centroid'\n[Input1]\nName='p'\nRange=[0 1]\nNumMFs=1\n"
+        "MF1='a':'gbellmf',[0.5 2.5 0]\n[Output1]\nName='y'\nRange=[0 1]\nNumMFs=1\nMF1='b':'trimf',[0 1 2]\n"
+        "[Rules]\n1, 1 (1) : 1\n"},
+       {"MF1=", "[Rules]\n", "'trimf'", "-1", "(1) : 2", "99", "nan", "1e999", "\n", "="}},
       {"toml",
        toml,
        {text_of(source / "cases/thigh-sleeve/case.toml"), text_of(source / "cases/thigh-sleeve/expected.toml")},

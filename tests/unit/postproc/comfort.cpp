@@ -1,4 +1,4 @@
-#include "postproc/comfort.hpp"
+#include "postproc/comfort/comfort.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ namespace {
 /// The Mamdani system of the reference book, section 8.
 FuzzySystem worked_example(int resolution) {
   FuzzySystem system;
-  system.inputs = {{"p", 0, 5, {{"low", 0, 1.25, 2.5}, {"mid", 2.5, 1.25, 2.5}, {"high", 5, 1.25, 2.5}}},
-                   {"s", 0, 10, {{"soft", 0, 5, 3}, {"stiff", 10, 5, 3}}}};
-  system.output = {"y", 0, 10, {{"bad", 0, 2.5, 2}, {"fair", 5, 2.5, 2}, {"good", 10, 2.5, 2}}};
+  system.inputs = {{"p", 0, 5, {bell("low", 0, 1.25, 2.5), bell("mid", 2.5, 1.25, 2.5), bell("high", 5, 1.25, 2.5)}},
+                   {"s", 0, 10, {bell("soft", 0, 5, 3), bell("stiff", 10, 5, 3)}}};
+  system.output = {"y", 0, 10, {bell("bad", 0, 2.5, 2), bell("fair", 5, 2.5, 2), bell("good", 10, 2.5, 2)}};
   system.rules = {"if p is low and s is soft then y is good", "if p is low and s is stiff then y is fair",
                   "if p is mid and s is soft then y is fair", "if p is mid and s is stiff then y is bad",
                   "if p is high then y is bad"};
@@ -56,16 +56,16 @@ TEST(Fuzzy, WrongRulesAndCountsAreRefused) {
   EXPECT_THROW(infer(worked_example(101), {1}), std::invalid_argument);
 }
 
-std::vector<std::pair<std::string, double>> everywhere(double rating, int locations = 3) {
-  std::vector<std::pair<std::string, double>> ratings;
-  for (int i = 0; i < locations; ++i) ratings.emplace_back("location " + std::to_string(i), rating);
+std::vector<LocationRating> everywhere(double rating, int locations = 3) {
+  std::vector<LocationRating> ratings;
+  for (int i = 0; i < locations; ++i) ratings.push_back({"location " + std::to_string(i), rating});
   return ratings;
 }
 
 TEST(Comfort, RulesOfTable54) {
   // One uncomfortable location spoils the garment; all neutral is acceptable; all comfortable is better than that.
   auto one_bad = everywhere(1.0);
-  one_bad[1].second = 3.0;
+  one_bad[1].rating = 3.0;
   EXPECT_EQ(judge(everywhere(2.0)).term, "uncomfortable");
   EXPECT_EQ(judge(everywhere(4.0)).term, "uncomfortable");
   EXPECT_EQ(judge(one_bad).term, "uncomfortable");
@@ -93,9 +93,9 @@ TEST(Comfort, MoreSensationNeverScoresBetterFromComfortableOn) {
   std::uniform_real_distribution<double> rating(1.0, 4.0);
   for (int trial = 0; trial < 200; ++trial) {
     auto ratings = everywhere(0.0, 1 + trial % 4);
-    for (auto& [location, value] : ratings) value = std::min(rating(random), rating(random));
+    for (auto& one : ratings) one.rating = std::min(rating(random), rating(random));
     const double before = judge(ratings).score;
-    double& raised = ratings[trial % ratings.size()].second;
+    double& raised = ratings[trial % ratings.size()].rating;
     raised = std::min(4.0, raised + 0.3 * rating(random));
     EXPECT_GE(judge(ratings).score, before - 1e-9);
   }
@@ -112,7 +112,7 @@ TEST(Comfort, AnUncomfortableLocationNeverImprovesTheScoreByGettingWorse) {
   auto ratings = everywhere(0.4);
   double last = 0.0;
   for (double value = 2.0; value <= 4.0; value += 0.05) {
-    ratings[0].second = value;
+    ratings[0].rating = value;
     const double score = judge(ratings).score;
     EXPECT_GE(score, last - 1e-9) << value;
     last = score;

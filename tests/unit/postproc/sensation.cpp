@@ -1,4 +1,4 @@
-#include "postproc/sensation.hpp"
+#include "postproc/comfort/sensation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,9 @@
 #include <fstream>
 
 #include "postproc/evaluate.hpp"
-#include "postproc/pressure_table.hpp"
-#include "postproc/shipped_tables.hpp"
+#include "postproc/comfort/pressure_table.hpp"
+#include "postproc/comfort/curve_library.hpp"
+#include "postproc/comfort/shipped_data.hpp"
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
@@ -16,7 +17,7 @@ namespace {
 SensationCurves trial() {
   input::ComfortSpec spec;
   spec.curves.name = "wear trial 2002";
-  return load_curves(spec);
+  return load_curves(spec.curves);
 }
 
 std::filesystem::path written(const std::string& name, const std::string& text) {
@@ -36,7 +37,7 @@ TEST(Units, ConversionsAreThoseOfTheStandards) {
 TEST(Sensation, ReproducesAll64RatingsOfTheEightSignificantLocations) {
   // Table 5.5: each rating of the eight locations with a significant slope comes back within 0.005, its rounding.
   const SensationCurves curves = trial();
-  const input::Csv table = shipped_csv(wear_trial_2002(), "table");
+  const input::Csv table = shipped_csv(shipped_text("wear_trial_2002.csv"), "table");
   ASSERT_EQ(table.rows.size(), 72u);
   int checked = 0;
   for (const auto& row : table.rows) {
@@ -65,12 +66,12 @@ TEST(Sensation, LinesAndResidualsAreTheOnesOfTheLeastSquaresFit) {
   // Slope, intercept and largest residual agree with an independent fit of the same table (data/README.md).
   const SensationCurves curves = trial();
   const SensationCurve& chest = *curves.find("chest");
-  EXPECT_NEAR(chest.slope * pascal_per_gf_cm2, 0.31971, 5e-6);
-  EXPECT_NEAR(chest.intercept, 0.0233, 5e-5);
+  EXPECT_NEAR(std::get<Line>(chest.shape).slope * pascal_per_gf_cm2, 0.31971, 5e-6);
+  EXPECT_NEAR(std::get<Line>(chest.shape).intercept, 0.0233, 5e-5);
   EXPECT_NEAR(chest.largest_residual, 0.0038, 5e-5);
   const SensationCurve& thigh = *curves.find("Back thigh");
-  EXPECT_NEAR(thigh.slope * pascal_per_gf_cm2, -0.01994, 5e-6);
-  EXPECT_NEAR(thigh.intercept, 1.1171, 5e-5);
+  EXPECT_NEAR(std::get<Line>(thigh.shape).slope * pascal_per_gf_cm2, -0.01994, 5e-6);
+  EXPECT_NEAR(std::get<Line>(thigh.shape).intercept, 1.1171, 5e-5);
   EXPECT_NEAR(thigh.largest_residual, 0.1734, 5e-5);
   EXPECT_NEAR(to_gf_cm2(thigh.low), 1.11, 1e-12);
   EXPECT_NEAR(to_gf_cm2(thigh.high), 6.04, 1e-12);
@@ -97,7 +98,7 @@ TEST(Sensation, CurvesOfAFileMayComeInAnyUnit) {
   for (const auto& file : {in_pascal, in_head}) {
     input::ComfortSpec spec;
     spec.curves.name = file.filename().string();
-    const SensationCurves curves = load_curves(spec, file.parent_path());
+    const SensationCurves curves = load_curves(spec.curves, file.parent_path());
     EXPECT_NEAR(rate(*curves.find("Calf"), 1500).value, 1.5, 1e-12);
   }
 }
@@ -107,7 +108,7 @@ TEST(Sensation, WrongTablesAreErrorsWithFileAndRemedy) {
   const auto load = [](const std::string& name) {
     input::ComfortSpec spec;
     spec.curves.name = name;
-    return load_curves(spec);
+    return load_curves(spec.curves);
   };
   EXPECT_THROW(load(written("a.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,7\ncalf,2,1\n").string()),
                input::InputError);

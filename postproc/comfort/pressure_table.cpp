@@ -1,4 +1,4 @@
-#include "postproc/pressure_table.hpp"
+#include "postproc/comfort/pressure_table.hpp"
 
 #include <fmt/format.h>
 
