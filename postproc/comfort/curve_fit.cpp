@@ -110,7 +110,8 @@ void fit_hinge(const Observations& seen, SensationCurve& curve) {
   curve.parameters = 3;
 }
 
-void fit_logistic(const Observations& seen, const std::string& source, SensationCurve& curve) {
+/// A line where no logistic curve fits: the ratings do not grow with the pressure there.
+void fit_logistic(const Observations& seen, SensationCurve& curve) {
   const auto [low, high] = std::minmax_element(seen.pressure.begin(), seen.pressure.end());
   const double scale = *high - *low;
   const auto shape = [&](const std::vector<double>& x) {  // x = (middle, log width) in units of the range
@@ -121,9 +122,7 @@ void fit_logistic(const Observations& seen, const std::string& source, Sensation
     for (std::size_t i = 0; i < r.size(); ++i) r[i] = value_at(now, seen.pressure[i]) - seen.rating[i];
   };
   const auto answer = least_squares(residuals, {1.0, -1.0}, seen.pressure.size());
-  if (!answer)
-    throw input::InputError({source, 0, 0}, fmt::format("no logistic curve fits the location '{}'", seen.location),
-                            "the ratings do not grow with the pressure there; take the linear shape");
+  if (!answer) return fit_line(seen, curve);
   curve.shape = shape(*answer);
   curve.parameters = 2;
 }
@@ -183,7 +182,7 @@ SensationCurve fit_curve(const Observations& seen, const std::string& shape, con
   else if (shape == "piecewise")
     fit_hinge(seen, curve);
   else
-    fit_logistic(seen, source, curve);
+    fit_logistic(seen, curve);
   add_statistics(seen, curve);
   return curve;
 }

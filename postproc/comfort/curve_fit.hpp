@@ -21,8 +21,8 @@ struct Observations {
 std::vector<Observations> observations(const input::Csv& table);
 
 /// Fits one location. "linear": the least-squares line; "piecewise": constant up to a break, straight from there on (the
-/// break is the one of least squares); "logistic": from 0 to 4, middle and width are fitted.
-/// Throws InputError at `source` when there are not enough different pressures, or no logistic curve fits.
+/// break is the one of least squares); "logistic": from 0 to 4, middle and width are fitted,
+/// and a line where none fits. Throws InputError at `source` when there are not enough different pressures.
 SensationCurve fit_curve(const Observations& seen, const std::string& shape, const std::string& source);
 
 /// The curves of all locations of a table. Name and source are the file.
