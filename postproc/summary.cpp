@@ -84,7 +84,8 @@ Json comfort_json(const Evaluation& evaluation) {
       degrees[comfort.sensation_terms[t]] = membership.degrees.at(t);
     memberships.push_back({{"location", membership.location}, {"rating", membership.rating}, {"degrees", degrees}});
   }
-  for (const FiredRule& rule : comfort.rules) rules.push_back({{"rule", rule.rule}, {"then", rule.term}, {"strength", rule.strength}});
+  for (const FiredRule& rule : comfort.rules)
+    rules.push_back({{"rule", rule.rule}, {"then", rule.term}, {"strength", rule.strength}});
   for (const auto& [term, degree] : comfort.output_memberships) output[term] = degree;
   return {{"score", comfort.score},
           {"term", comfort.term},
@@ -192,9 +193,8 @@ void write_comfort(std::ostream& out, const Evaluation& evaluation) {
 }
 
 std::string evaluation_json(const Evaluation& evaluation) {
-  Json json = {{"locations", locations_json(evaluation)},
-               {"thresholds", thresholds_json(evaluation)},
-               {"comfort", nullptr}};
+  Json json = {
+      {"locations", locations_json(evaluation)}, {"thresholds", thresholds_json(evaluation)}, {"comfort", nullptr}};
   if (evaluation.comfort) json["comfort"] = comfort_json(evaluation);
   return text_of(json);
 }

@@ -63,8 +63,7 @@ void describe(const Question& question, const FuzzyAnswer& answer, Comfort& comf
   const FuzzySystem& system = question.system;
   for (const FuzzyTerm& term : system.inputs.front().terms) comfort.sensation_terms.push_back(spoken_name(term.name));
   for (std::size_t i = 0; i < question.ratings.size(); ++i)
-    comfort.memberships.push_back(
-        {question.ratings[i].location, question.ratings[i].rating, answer.memberships[i]});
+    comfort.memberships.push_back({question.ratings[i].location, question.ratings[i].rating, answer.memberships[i]});
   for (std::size_t r = 0; r < system.rules.size(); ++r) {
     const FuzzyRule rule = parse_rule(system.rules[r]);
     comfort.rules.push_back({in_words(rule, system), spoken_name(rule.term), answer.strengths[r]});

@@ -72,7 +72,7 @@ std::vector<std::string> rules_of_table_5_4(const std::vector<FuzzyVariable>& in
 
 /// `location` as one word of a rule, different from those `taken`; its plain_name stays what it is.
 std::string identifier(const std::string& location, const std::vector<FuzzyVariable>& taken) {
-  static const std::vector<std::string> words = {"if",  "is",   "and",       "or",     "then",    "with",
+  static const std::vector<std::string> words = {"if",  "is",   "and",       "or",     "then",     "with",
                                                  "any", "very", "extremely", "seldom", "somewhat", "not"};
   std::string name;
   for (const unsigned char c : location) name += std::isalnum(c) ? static_cast<char>(c) : '_';
@@ -130,9 +130,9 @@ FuzzySystem load_fuzzy(const input::MaterialReference& reference, const std::vec
     if (same_name(name, system.name)) return read_shipped(system);
   const std::filesystem::path file = directory / name;
   if (name.empty() || !std::filesystem::is_regular_file(file))
-    throw input::InputError(reference.where, fmt::format("there is no fuzzy system \"{}\"", name),
-                            fmt::format("write \"{}\", \"{}\", or the path of a .fll or .fis file", shipped[0].name,
-                                        shipped[1].name));
+    throw input::InputError(
+        reference.where, fmt::format("there is no fuzzy system \"{}\"", name),
+        fmt::format("write \"{}\", \"{}\", or the path of a .fll or .fis file", shipped[0].name, shipped[1].name));
   return read_fuzzy(file, reference.where);
 }
 

@@ -165,7 +165,8 @@ std::vector<Observations> observations(const input::Csv& table) {
     group->rows.push_back(row);
   }
   diagnostics.throw_if_any();
-  if (groups.empty()) throw input::InputError({table.file, 0, 0}, "the table has no rows", "give ratings and pressures");
+  if (groups.empty())
+    throw input::InputError({table.file, 0, 0}, "the table has no rows", "give ratings and pressures");
   return groups;
 }
 

@@ -20,9 +20,9 @@ struct Observations {
 /// in the order in which the table first names them. Throws InputError: no such column, a rating outside [0, 4].
 std::vector<Observations> observations(const input::Csv& table);
 
-/// Fits one location. "linear": the least-squares line; "piecewise": constant up to a break, straight from there on (the
-/// break is the one of least squares); "logistic": from 0 to 4, middle and width are fitted,
-/// and a line where none fits. Throws InputError at `source` when there are not enough different pressures.
+/// Fits one location. "linear": the least-squares line; "piecewise": constant up to a break, straight from there on
+/// (the break is the one of least squares); "logistic": from 0 to 4, middle and width are fitted, and a line where none
+/// fits. Throws InputError at `source` when there are not enough different pressures.
 SensationCurve fit_curve(const Observations& seen, const std::string& shape, const std::string& source);
 
 /// The curves of all locations of a table. Name and source are the file.

@@ -50,8 +50,8 @@ CurveShape polyline_of(const CurveInput& from, input::Diagnostics& diagnostics) 
 CurveShape logistic_of(const CurveInput& from, input::Diagnostics& diagnostics) {
   require(from, from.middle.has_value(), "middle", diagnostics);
   require(from, from.width.has_value(), "width", diagnostics);
-  return Logistic{from.lowest.value_or(lowest_rating), from.highest.value_or(highest_rating),
-                  from.middle.value_or(0.0), from.width.value_or(1.0)};
+  return Logistic{from.lowest.value_or(lowest_rating), from.highest.value_or(highest_rating), from.middle.value_or(0.0),
+                  from.width.value_or(1.0)};
 }
 
 SensationCurve curve_of(const CurveInput& from, input::Diagnostics& diagnostics) {
@@ -80,7 +80,8 @@ SensationCurve curve_of(const CurveInput& from, input::Diagnostics& diagnostics)
   const double spread = from.pressure_spread.value_or(0.0);
   curve.pressure_squares = spread * spread * std::max(0, curve.points - 1);
   if (!curve.significant && !std::isfinite(curve.mean_rating))
-    diagnostics.error(from.where, fmt::format("the curve of {} is not significant and has no mean_rating", from.location),
+    diagnostics.error(from.where,
+                      fmt::format("the curve of {} is not significant and has no mean_rating", from.location),
                       "add mean_rating, which is used in its place");
   return curve;
 }

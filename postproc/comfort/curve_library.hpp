@@ -13,8 +13,8 @@ namespace snug::postproc {
 /// Every shipped set, in the order of their names.
 std::vector<SensationCurves> shipped_curves();
 
-/// The set that a case names: a shipped one, a TOML file (curve_input.hpp), or a CSV file of observations, through which
-/// lines are fitted; files are relative to `directory`. Throws InputError with the names there are.
+/// The set that a case names: a shipped one, a TOML file (curve_input.hpp), or a CSV file of observations, through
+/// which lines are fitted; files are relative to `directory`. Throws InputError with the names there are.
 SensationCurves find_curves(const input::MaterialReference& reference, const std::filesystem::path& directory = {});
 
 /// The same, and an error when the set has no curves, only bands; or no bands, only curves.

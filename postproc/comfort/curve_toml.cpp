@@ -54,8 +54,8 @@ struct ShapeText {
 };
 
 std::string curve_text(const SensationCurve& curve) {
-  std::string text = fmt::format("\n[[curves]]\nlocation = {}\nshape = \"{}\"\n", quoted(curve.location),
-                                 shape_name(curve.shape));
+  std::string text =
+      fmt::format("\n[[curves]]\nlocation = {}\nshape = \"{}\"\n", quoted(curve.location), shape_name(curve.shape));
   text += std::visit(ShapeText{curve}, curve.shape);
   text += fmt::format("range = [\"{} Pa\", \"{} Pa\"]\n", curve.low, curve.high);
   if (curve.points == 0) return text;
@@ -78,9 +78,8 @@ std::string band_text(const PressureBand& band) {
 }  // namespace
 
 std::string curves_toml(const SensationCurves& curves) {
-  std::string text =
-      fmt::format("name = {}\nsource = {}\npatch = {}\npopulation = {}\n", quoted(curves.name), quoted(curves.source),
-                  quoted(curves.patch), quoted(curves.population));
+  std::string text = fmt::format("name = {}\nsource = {}\npatch = {}\npopulation = {}\n", quoted(curves.name),
+                                 quoted(curves.source), quoted(curves.patch), quoted(curves.population));
   if (!curves.notes.empty()) {
     text += "notes = [\n";
     for (const std::string& note : curves.notes) text += "  " + quoted(note) + ",\n";

@@ -19,12 +19,8 @@ fl::Term* make_term(const FuzzyTerm& from) {
   return term.release();
 }
 
-fl::TNorm* t_norm(const std::string& name) {
-  return fl::FactoryManager::instance()->tnorm()->constructObject(name);
-}
-fl::SNorm* s_norm(const std::string& name) {
-  return fl::FactoryManager::instance()->snorm()->constructObject(name);
-}
+fl::TNorm* t_norm(const std::string& name) { return fl::FactoryManager::instance()->tnorm()->constructObject(name); }
+fl::SNorm* s_norm(const std::string& name) { return fl::FactoryManager::instance()->snorm()->constructObject(name); }
 
 void add_input(fl::Engine& engine, const FuzzyVariable& from) {
   auto variable = std::make_unique<fl::InputVariable>(from.name, from.low, from.high);

@@ -18,7 +18,8 @@ namespace {
 class ExactAndQuiet {
  public:
   ExactAndQuiet()
-      : decimals_(fl::fuzzylite::decimals()), format_(fl::fuzzylite::scalarFormat()),
+      : decimals_(fl::fuzzylite::decimals()),
+        format_(fl::fuzzylite::scalarFormat()),
         logging_(fl::fuzzylite::isLogging()) {
     fl::fuzzylite::setDecimals(17);
     fl::fuzzylite::setScalarFormat(std::ios_base::scientific);
@@ -77,8 +78,7 @@ std::string name_of(const Norm* norm, const std::string& otherwise) {
 /// Why the engine is none that we can use; empty when it is.
 std::string fault_of(const fl::Engine& engine) {
   if (engine.numberOfInputVariables() == 0) return "it has no input";
-  if (engine.numberOfOutputVariables() != 1)
-    return fmt::format("it has {} outputs", engine.numberOfOutputVariables());
+  if (engine.numberOfOutputVariables() != 1) return fmt::format("it has {} outputs", engine.numberOfOutputVariables());
   if (engine.numberOfRuleBlocks() != 1 || engine.getRuleBlock(0)->numberOfRules() == 0)
     return "it has not one block of rules";
   if (engine.getOutputVariable(0)->terms().empty()) return "its output has no terms";

@@ -248,8 +248,7 @@ std::vector<std::vector<Condition>> alternatives(const Condition& condition, std
         }
       all = std::move(product);
     }
-    if (all.size() > most)
-      throw std::invalid_argument(fmt::format("a rule has more than {} alternatives", most));
+    if (all.size() > most) throw std::invalid_argument(fmt::format("a rule has more than {} alternatives", most));
   }
   return all;
 }

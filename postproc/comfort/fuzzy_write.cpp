@@ -130,14 +130,16 @@ std::string row_text(const FisRow& row) {
 
 std::string fll_text(const FuzzySystem& system) {
   std::string text = fmt::format("Engine: {}\n", system.name);
-  for (const FuzzyVariable& variable : system.inputs) text += fll_variable("InputVariable", variable, "  lock-range: true\n");
+  for (const FuzzyVariable& variable : system.inputs)
+    text += fll_variable("InputVariable", variable, "  lock-range: true\n");
   text += fll_variable("OutputVariable", system.output,
                        fmt::format("  lock-range: false\n  aggregation: {}\n  defuzzifier: Centroid {}\n"
                                    "  default: nan\n  lock-previous: false\n",
                                    system.aggregation, system.resolution));
-  text += fmt::format("RuleBlock: rules\n  enabled: true\n  conjunction: {}\n  disjunction: {}\n  implication: {}\n"
-                      "  activation: General\n",
-                      system.conjunction, system.disjunction, system.implication);
+  text += fmt::format(
+      "RuleBlock: rules\n  enabled: true\n  conjunction: {}\n  disjunction: {}\n  implication: {}\n"
+      "  activation: General\n",
+      system.conjunction, system.disjunction, system.implication);
   for (const std::string& rule : system.rules) text += "  rule: " + rule + "\n";
   return text;
 }

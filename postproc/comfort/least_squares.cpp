@@ -54,9 +54,10 @@ std::optional<std::vector<double>> least_squares(const Residuals& residuals, con
   const int status = gsl_multifit_nlinear_driver(500, 1e-10, 1e-10, 0.0, nullptr, nullptr, &info, work.get());
   if (status != GSL_SUCCESS && status != GSL_ENOPROG) return std::nullopt;  // no progress: already at the minimum
   std::vector<double> answer(start.size());
-  for (std::size_t i = 0; i < answer.size(); ++i) answer[i] = gsl_vector_get(gsl_multifit_nlinear_position(work.get()), i);
+  for (std::size_t i = 0; i < answer.size(); ++i)
+    answer[i] = gsl_vector_get(gsl_multifit_nlinear_position(work.get()), i);
   return std::all_of(answer.begin(), answer.end(), [](double x) { return std::isfinite(x); }) ? std::optional(answer)
-                                                                                               : std::nullopt;
+                                                                                              : std::nullopt;
 }
 
 }  // namespace snug::postproc

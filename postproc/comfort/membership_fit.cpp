@@ -37,9 +37,8 @@ std::vector<Answers> collect(const input::Csv& table, const std::vector<std::str
   diagnostics.throw_if_any();
   std::vector<Answers> all;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const auto word = std::find_if(known.begin(), known.end(), [&](const std::string& name) {
-      return plain_name(name) == plain_name(terms[row]);
-    });
+    const auto word = std::find_if(known.begin(), known.end(),
+                                   [&](const std::string& name) { return plain_name(name) == plain_name(terms[row]); });
     const double count = counts ? (*counts)[row] : 1.0;
     if (word == known.end())
       diagnostics.error(table.place(row, table.find("sensation_term")), fmt::format("the word \"{}\"", terms[row]),
@@ -100,8 +99,8 @@ class Shares {
     for (std::size_t i = 0; i < ratings_.size(); ++i) {
       double sum = 0.0;
       for (std::size_t u = 0; u < used_.size(); ++u)
-        sum += m[u] = bell_at(ratings_[i], variable_.terms[used_[u]].parameters[0], std::exp(x[2 * u]),
-                              std::exp(x[2 * u + 1]));
+        sum += m[u] =
+            bell_at(ratings_[i], variable_.terms[used_[u]].parameters[0], std::exp(x[2 * u]), std::exp(x[2 * u + 1]));
       for (std::size_t u = 0; u < used_.size(); ++u)
         r[i * used_.size() + u] = std::sqrt(weights_[i]) * (m[u] / sum - shares_[i * used_.size() + u]);
     }
@@ -127,12 +126,12 @@ FittedVariable fit(const Answers& answers, FuzzyVariable& variable, const std::s
   FittedVariable result{answers.location, {}, 0.0};
   for (std::size_t t = 0; t < variable.terms.size(); ++t) {
     const auto& p = variable.terms[t].parameters;
-    result.terms.push_back({spoken_name(variable.terms[t].name), static_cast<int>(std::lround(shares.answers(t))), false,
-                            p[1], p[2], p[1], p[2]});
+    result.terms.push_back({spoken_name(variable.terms[t].name), static_cast<int>(std::lround(shares.answers(t))),
+                            false, p[1], p[2], p[1], p[2]});
   }
   if (shares.used().size() < 2) return result;  // a word that nothing competes with says nothing of its width
-  const auto x = least_squares([&](const auto& at, auto& r) { shares.residuals(at, r); }, shares.start(),
-                               shares.count());
+  const auto x =
+      least_squares([&](const auto& at, auto& r) { shares.residuals(at, r); }, shares.start(), shares.count());
   if (!x)
     throw input::InputError({file, 0, 0}, fmt::format("no bells fit the words at the location '{}'", answers.location),
                             "give answers at more ratings, some of them between the marks of the scale");

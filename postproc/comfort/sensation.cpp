@@ -31,8 +31,7 @@ struct ValueAt {
     return r[i - 1] + share * (r[i] - r[i - 1]);
   }
   double operator()(const Logistic& curve) const {
-    return curve.lowest +
-           (curve.highest - curve.lowest) / (1.0 + std::exp(-(pressure - curve.middle) / curve.width));
+    return curve.lowest + (curve.highest - curve.lowest) / (1.0 + std::exp(-(pressure - curve.middle) / curve.width));
   }
 };
 

@@ -44,14 +44,14 @@ struct SensationCurve {
   double mean_scatter = 0.0;     ///< standard deviation of the ratings about their mean
   double scatter = 0.0;          ///< residual standard deviation of the ratings; NaN when it is not known
   double largest_residual = 0.0;
-  double r_squared = 0.0;        ///< 1 - residual squares / squares about the mean
-  double slope_error = 0.0;      ///< standard error of the slope of a line, 1/Pa; NaN for other shapes
-  double intercept_error = 0.0;  ///< the same of its intercept
-  double p_value = 1.0;          ///< F-test of the curve against the mean rating (of a line: the two-sided t-test)
-  int points = 0;                ///< ratings behind it; 0 when it is not known
-  int parameters = 2;            ///< of the shape that were fitted
-  double mean_pressure = 0.0;    ///< Pa, of the data
-  double pressure_squares = 0.0; ///< Pa2, sum of (p - mean_pressure)^2
+  double r_squared = 0.0;         ///< 1 - residual squares / squares about the mean
+  double slope_error = 0.0;       ///< standard error of the slope of a line, 1/Pa; NaN for other shapes
+  double intercept_error = 0.0;   ///< the same of its intercept
+  double p_value = 1.0;           ///< F-test of the curve against the mean rating (of a line: the two-sided t-test)
+  int points = 0;                 ///< ratings behind it; 0 when it is not known
+  int parameters = 2;             ///< of the shape that were fitted
+  double mean_pressure = 0.0;     ///< Pa, of the data
+  double pressure_squares = 0.0;  ///< Pa2, sum of (p - mean_pressure)^2
 };
 
 struct Rating {

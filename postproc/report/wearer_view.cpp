@@ -61,6 +61,19 @@ Json terms_view(const Json& comfort) {
   return terms;
 }
 
+/// Where the score may lie, as text and as places on the track of the gauge; null when the run did not sample it.
+Json interval_view(const Json& comfort) {
+  const Json interval = comfort.value("interval", Json());
+  if (!interval.is_object()) return nullptr;
+  const double low = value_at(interval, "low"), high = value_at(interval, "high");
+  if (!std::isfinite(low) || !std::isfinite(high)) return nullptr;
+  return {{"from", fmt::format("{:.2f}", low)},
+          {"to", fmt::format("{:.2f}", high)},
+          {"from_percent", percent(low / scale_end)},
+          {"width_percent", percent((high - low) / scale_end)},
+          {"meaning", fmt::format("{:.0f} % of draws about the curves", 100.0 * value_at(interval, "level"))}};
+}
+
 }  // namespace
 
 Json locations_view(const RunFiles& run) {
@@ -97,13 +110,10 @@ Json comfort_view(const RunFiles& run) {
     outputs.push_back({{"term", term},
                        {"value", fmt::format("{:.2f}", degree.get<double>())},
                        {"percent", percent(degree.get<double>())}});
-  return {{"score", fmt::format("{:.2f}", score)},
-          {"percent", percent(score / scale_end)},
-          {"term", comfort.value("term", "")},
-          {"curves", comfort.value("curves", "")},
-          {"outputs", outputs},
-          {"terms", terms_view(comfort)},
-          {"memberships", memberships_view(comfort)},
+  return {{"score", fmt::format("{:.2f}", score)}, {"percent", percent(score / scale_end)},
+          {"term", comfort.value("term", "")},     {"curves", comfort.value("curves", "")},
+          {"interval", interval_view(comfort)},    {"outputs", outputs},
+          {"terms", terms_view(comfort)},          {"memberships", memberships_view(comfort)},
           {"rules", rules_view(comfort)}};
 }
 

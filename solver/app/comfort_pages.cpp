@@ -107,8 +107,8 @@ std::string statistics_text(const postproc::SensationCurves& curves) {
 std::string memberships_text(const postproc::MembershipFit& fit) {
   if (fit.variables.empty())
     return "  memberships: the table has no column sensation_term, the shipped ones are kept\n";
-  std::string text = fmt::format("  {:<16} {:<24} {:>8} {:>18} {:>18}\n", "location", "word", "answers", "half width",
-                                 "slope");
+  std::string text =
+      fmt::format("  {:<16} {:<24} {:>8} {:>18} {:>18}\n", "location", "word", "answers", "half width", "slope");
   for (const postproc::FittedVariable& variable : fit.variables) {
     for (const postproc::FittedTerm& term : variable.terms) {
       const auto change = [&](double before, double after) {

@@ -39,8 +39,9 @@ void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& b
     throw input::InputError(where, "only a limb of Q2/P1 hexahedra on a rigid bone can be written as CalculiX input",
                             "leave body.elements out and give the bone material = \"rigid\"");
   if (!description.support.empty() ||
-      (description.load && (!description.load->pressure.empty() || !description.load->traction.empty() ||
-                            !description.load->force.empty() || description.load->gravity != std::array<double, 3>{0, 0, 0})))
+      (description.load &&
+       (!description.load->pressure.empty() || !description.load->traction.empty() ||
+        !description.load->force.empty() || description.load->gravity != std::array<double, 3>{0, 0, 0})))
     throw input::InputError(where, "of the loads only skin_pressure can be written as CalculiX input",
                             "leave the others and [[support]] out");
   if (description.body->ends != "sliding")
@@ -50,10 +51,13 @@ void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& b
 class Convert : public Command {
  public:
   std::string name() const override { return "convert"; }
-  std::string summary() const override { return "write the body of a case as CalculiX input, or a fuzzy system as FLL or FIS"; }
+  std::string summary() const override {
+    return "write the body of a case as CalculiX input, or a fuzzy system as FLL or FIS";
+  }
 
   void declare(CLI::App& app) override {
-    app.add_option("DIR", directory_, "case directory, or a fuzzy system: a shipped name or a .fll or .fis file")->required();
+    app.add_option("DIR", directory_, "case directory, or a fuzzy system: a shipped name or a .fll or .fis file")
+        ->required();
     app.add_option("FILE", file_, "where the result goes, FILE.inp, FILE.fll or FILE.fis")->required();
     options_.declare(app);
   }

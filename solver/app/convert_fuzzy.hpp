@@ -8,7 +8,8 @@ namespace snug::app {
 /// True when `file` ends in .fll or .fis.
 bool is_fuzzy_file(const std::string& file);
 
-/// Writes the system `from`, a shipped name or a file, to `to`. Throws input::InputError, also where FIS cannot hold it.
+/// Writes the system `from`, a shipped name or a file, to `to`. Throws input::InputError, also where FIS cannot hold
+/// it.
 void convert_fuzzy(const std::string& from, const std::string& to);
 
 }  // namespace snug::app

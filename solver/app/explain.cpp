@@ -76,7 +76,10 @@ class Explain : public Command {
   std::string summary() const override { return "what a key of case.toml, a law or a set of sensation curves means"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("KEY", key_, "e.g. garment.position, thickness, a section such as garment, a law such as law.Ogden, or curves such as \"wear trial 2002\"")->required();
+    app.add_option("KEY", key_,
+                   "e.g. garment.position, thickness, a section such as garment, a law such as law.Ogden, or curves "
+                   "such as \"wear trial 2002\"")
+        ->required();
   }
 
   int execute() override {

@@ -29,8 +29,9 @@ std::string comfort_text(const postproc::Comfort& comfort) {
     text += fmt::format("    of which         {:.0f} % of {} draws about the curves lie in {:.2f} to {:.2f}{}\n",
                         comfort.interval->level * 100.0, comfort.interval->samples, comfort.interval->low,
                         comfort.interval->high,
-                        comfort.interval->without_scatter.empty() ? "" : "; no scatter known of " +
-                            input::joined(comfort.interval->without_scatter));
+                        comfort.interval->without_scatter.empty()
+                            ? ""
+                            : "; no scatter known of " + input::joined(comfort.interval->without_scatter));
   if (!comfort.left_out.empty())
     text += fmt::format("    not judged       {}: no input of the fuzzy system \"{}\"\n",
                         input::joined(comfort.left_out), comfort.system);

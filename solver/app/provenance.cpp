@@ -47,8 +47,9 @@ std::string command_line() {
   std::string text = "snug";
   const std::vector<std::string> words = own_arguments();
   for (std::size_t w = 1; w < words.size(); ++w) {
-    const bool bare = words[w].find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
-                                                 "-_=./:,+") == std::string::npos;
+    const bool bare = words[w].find_first_not_of(
+                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+                          "-_=./:,+") == std::string::npos;
     text += bare ? " " + words[w] : " '" + words[w] + "'";
   }
   return text;

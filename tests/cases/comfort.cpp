@@ -66,7 +66,8 @@ TEST_F(ComfortProgram, ThresholdsArePrinted) {
 }
 
 TEST_F(ComfortProgram, AFitCanBeNamedByScoreAndByACase) {
-  // Fitting the printed table writes curves and fuzzy systems that give the score of the shipped data; a case takes them.
+  // Fitting the printed table writes curves and fuzzy systems that give the score of the shipped data; a case takes
+  // them.
   const std::string table = std::string(SNUG_SOURCE_DIR) + "/tests/data/wear_trial_pressure_sensation.csv";
   const Outcome fit = snug("score '" + table + "' --fit --out mine --population 'eight garments'");
   ASSERT_EQ(fit.status, 0) << fit.text;
@@ -111,7 +112,8 @@ TEST_F(ComfortProgram, ErrorsSayWhatThereIsAndWhere) {
   expect_error("score bad.csv --fit", {"bad.csv:3:1: error: 2 cells"});
   write("bad.csv", "location,pressure_Pa,sensation_rating\nFront thigh,1,1\nFront thigh,x,1\n");
   expect_error("score worn.csv --curves bad.csv", {"bad.csv:3:13: error: \"x\""});
-  write("bad.toml", "name = \"a\"\nsource = \"b\"\npatch = \"c\"\npopulation = \"d\"\n[[curves]]\nlocaton = \"calf\"\n");
+  write("bad.toml",
+        "name = \"a\"\nsource = \"b\"\npatch = \"c\"\npopulation = \"d\"\n[[curves]]\nlocaton = \"calf\"\n");
   expect_error("score worn.csv --curves bad.toml", {"bad.toml:6:1", "did you mean location?"});
   ASSERT_EQ(snug("convert 'wear trial 2002' bad.fll").status, 0);
   std::ofstream(folder_ / "bad.fll", std::ios::app) << "  rule: if Chest is huge then RP is uncomfortable\n";

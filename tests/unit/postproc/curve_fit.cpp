@@ -43,12 +43,12 @@ TEST(CurveFit, StatisticsAreTheOnesOfNistNorris) {
   // NIST StRD "Norris", certified: 36 points, slope 1.00211681802045, intercept -0.262323073774029, their standard
   // errors 0.000429796848199937 and 0.232818234301152, residual standard deviation 0.884796396144373,
   // R2 0.999993745883712. The ratings of the test are these, scaled into [0, 4] (all statistics scale with them).
-  const std::vector<double> y = {0.1,   338.8, 118.1, 888.0, 9.2,   228.1, 668.5, 998.5, 449.1, 778.9, 559.2, 0.3,
-                                 0.1,   778.1, 668.8, 339.3, 448.9, 10.8,  557.7, 228.3, 998.0, 888.8, 119.6, 0.3,
-                                 0.6,   557.6, 339.3, 888.0, 998.5, 778.9, 10.2,  117.6, 228.9, 668.4, 449.2, 0.2};
-  const std::vector<double> x = {0.2,   337.4, 118.2, 884.6, 10.1,  226.5, 666.3, 996.3, 448.6, 777.0, 558.2, 0.4,
-                                 0.6,   775.5, 666.9, 338.0, 447.5, 11.6,  556.0, 228.1, 995.8, 887.6, 120.2, 0.3,
-                                 0.3,   556.8, 339.1, 887.2, 999.0, 779.0, 11.1,  118.3, 229.2, 669.1, 448.9, 0.5};
+  const std::vector<double> y = {0.1, 338.8, 118.1, 888.0, 9.2,   228.1, 668.5, 998.5, 449.1, 778.9, 559.2, 0.3,
+                                 0.1, 778.1, 668.8, 339.3, 448.9, 10.8,  557.7, 228.3, 998.0, 888.8, 119.6, 0.3,
+                                 0.6, 557.6, 339.3, 888.0, 998.5, 778.9, 10.2,  117.6, 228.9, 668.4, 449.2, 0.2};
+  const std::vector<double> x = {0.2, 337.4, 118.2, 884.6, 10.1,  226.5, 666.3, 996.3, 448.6, 777.0, 558.2, 0.4,
+                                 0.6, 775.5, 666.9, 338.0, 447.5, 11.6,  556.0, 228.1, 995.8, 887.6, 120.2, 0.3,
+                                 0.3, 556.8, 339.1, 887.2, 999.0, 779.0, 11.1,  118.3, 229.2, 669.1, 448.9, 0.5};
   Observations seen{"calf", x, {}, {}};
   const double scale = 1.0 / 256;
   for (const double value : y) seen.rating.push_back(value * scale);
@@ -79,10 +79,9 @@ TEST(CurveFit, KnownCurvesAreRecovered) {
 }
 
 TEST(CurveFit, ScatterIsFoundAgain) {
-  // From 400 ratings with a standard deviation of 0.2 about a line: the scatter within 10 % and the slope within four of
-  // its own standard errors; ratings that pressure does not touch are called not significant.
-  const SensationCurve curve =
-      fit_curve(observed(steps(200, 2200, 400), Line{0.8, 8e-4}, 0.2), "linear", "test");
+  // From 400 ratings with a standard deviation of 0.2 about a line: the scatter within 10 % and the slope within four
+  // of its own standard errors; ratings that pressure does not touch are called not significant.
+  const SensationCurve curve = fit_curve(observed(steps(200, 2200, 400), Line{0.8, 8e-4}, 0.2), "linear", "test");
   EXPECT_NEAR(curve.scatter, 0.2, 0.02);
   EXPECT_NEAR(std::get<Line>(curve.shape).slope, 8e-4, 4 * curve.slope_error);
   EXPECT_LT(curve.p_value, 1e-9);
@@ -126,8 +125,9 @@ TEST(CurveFit, AWrittenFileReadsBackToTheSameCurves) {
 TEST(CurveFit, WrongFilesAreErrors) {
   // Missing numbers of a shape, corners that do not grow, a second curve of one place, overlapping bands, no content.
   const std::string head = "name = \"a\"\nsource = \"b\"\npatch = \"c\"\npopulation = \"d\"\n";
-  const std::string line = "[[curves]]\nlocation = \"calf\"\nintercept = 0.1\nslope = \"0.1 cm2/gf\"\n"
-                           "range = [\"1 kPa\", \"2 kPa\"]\n";
+  const std::string line =
+      "[[curves]]\nlocation = \"calf\"\nintercept = 0.1\nslope = \"0.1 cm2/gf\"\n"
+      "range = [\"1 kPa\", \"2 kPa\"]\n";
   EXPECT_NO_THROW(found(written("good.toml", head + line)));
   for (const std::string& wrong :
        {head, head + line + line, head + "[[curves]]\nlocation = \"calf\"\nrange = [\"1 kPa\", \"2 kPa\"]\n",

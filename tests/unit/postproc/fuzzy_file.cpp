@@ -33,8 +33,8 @@ std::string bare(std::string_view text, char comment) {
 }
 
 TEST(FuzzyFile, TheShippedSystemIsTheOneOfTheSource) {
-  // Nine inputs with five terms on [0, 4], one output with three terms on [0, 4], the rules of table 5.4; the rules that
-  // the program makes for the nine locations are the ones of the file.
+  // Nine inputs with five terms on [0, 4], one output with three terms on [0, 4], the rules of table 5.4; the rules
+  // that the program makes for the nine locations are the ones of the file.
   const FuzzySystem system = shipped("wear trial 2002");
   ASSERT_EQ(system.inputs.size(), 9u);
   for (const FuzzyVariable& input : system.inputs) {
@@ -154,14 +154,14 @@ TEST(FuzzyFile, RubbishNeverCrashesTheReaders) {
 
 TEST(FuzzyRule, TextTreeAndText) {
   // A rule read and written again is the same; "and" binds tighter than "or".
-  for (const std::string text :
-       {"if a is b then y is z", "if (a is b or c is d) and e is not f then y is z with 0.25",
-        "if (a is b and c is d) or e is very very f then y is z"})
+  for (const std::string text : {"if a is b then y is z", "if (a is b or c is d) and e is not f then y is z with 0.25",
+                                 "if (a is b and c is d) or e is very very f then y is z"})
     EXPECT_EQ(text_of(parse_rule(text)), text);
   EXPECT_EQ(text_of(parse_rule("if a is b and c is d or e is f then y is z")),
             "if (a is b and c is d) or e is f then y is z");
-  for (const std::string wrong : {"", "if", "if a then y is z", "if a is b y is z", "if (a is b then y is z",
-                                  "if a is b then y is z with", "if a is b then y is z with x", "if a is b then y is z z"})
+  for (const std::string wrong :
+       {"", "if", "if a then y is z", "if a is b y is z", "if (a is b then y is z", "if a is b then y is z with",
+        "if a is b then y is z with x", "if a is b then y is z z"})
     EXPECT_THROW(parse_rule(wrong), std::invalid_argument) << wrong;
 }
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "postproc/evaluate.hpp"
-#include "postproc/comfort/pressure_table.hpp"
 #include "postproc/comfort/curve_library.hpp"
+#include "postproc/comfort/pressure_table.hpp"
 #include "postproc/comfort/shipped_data.hpp"
+#include "postproc/evaluate.hpp"
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
