@@ -18,11 +18,20 @@ namespace snug::input {
 
 struct ContactSpec {
   std::string basis = "hat";  ///< hat | dual: test functions of the weighted gap
+  double friction = 0.0;      ///< coefficient of friction of garment on skin
+  double friction_from = 1.0; ///< fraction of the tightening from which friction acts
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}},
           self.basis);
+    field(Field{.key = "friction", .meaning = "coefficient of friction of the garment on the skin", .bound = between(0.0, 2.0)},
+          self.friction);
+    field(Field{.key = "friction_from",
+                .meaning = "fraction of the tightening from which friction acts; 1: only on the tightened garment, because "
+                           "the path of the tightening is fictitious",
+                .bound = {.low = 0.0, .high = 1.0, .low_open = true}},
+          self.friction_from);
   }
 };
 

@@ -20,6 +20,9 @@ struct Layout {
 struct State {
   Eigen::VectorXd values;  ///< see Layout
   double load = 0.0;       ///< s: 0 = placed and strain-free, 1 = the garment's rest metric is its pattern's
+  /// History of friction, empty where there is none: `values` at the last accepted state, and the traction of the skin's
+  /// slip there (Pa per rest area of the garment; three corners a triangle, three components each).
+  Eigen::VectorXd reference, traction;
   double stiffening = 1.0; ///< factor on the body's own energy while it is released under the garment; 1 at the end
 };
 

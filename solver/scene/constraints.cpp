@@ -35,11 +35,11 @@ bool turns_freely(const input::GarmentSpec& spec) {
 void constrain_garment(const input::Case& description, const mesh::GarmentMesh& garment, const Layout& layout,
                        Constraints& constraints) {
   auto held = description.garment->held;
-  if (slides_freely(description)) held.push_back({.edge = probe_edge(garment), .held = "axis"});
+  if (slides_freely(description) && !has_friction(description)) held.push_back({.edge = probe_edge(garment), .held = "axis"});
   for (const auto& edge : held)
     for (const int node : garment.edges.at(edge.edge))
       for (int c = edge.held == "all" ? 0 : 2; c < 3; ++c) fix(constraints, layout.garment(node, c));
-  if (turns_freely(*description.garment)) {
+  if (turns_freely(*description.garment) && !has_friction(description)) {
     const TurnPin pin = turn_pin(garment);
     fix(constraints, layout.garment(pin.node, pin.component));
   }
@@ -94,6 +94,10 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
     layout.multipliers = static_cast<int>(vertices.size());
   }
   return layout;
+}
+
+bool has_friction(const input::Case& description) {
+  return description.garment && description.contact && description.contact->friction > 0.0;
 }
 
 bool slides_freely(const input::Case& description) { return description.garment && description.garment->held.empty(); }

@@ -15,6 +15,9 @@ namespace snug::solver {
 /// Entries of a scene. `deformable`: the body's nodes are part of the state.
 Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact);
 
+/// True when the scene has friction between garment and skin.
+bool has_friction(const input::Case& description);
+
 /// True when no edge of the garment is held along the axis: it can slide off.
 bool slides_freely(const input::Case& description);
 
@@ -32,7 +35,8 @@ struct TurnPin {
 TurnPin turn_pin(const mesh::GarmentMesh& garment);
 
 /// What the supports prescribe has no unknowns; neither have pressures of layers whose law has none; sewn garment nodes
-/// share their unknowns; held edges keep their axial place (a garment without any is held at its probe edge). Built as
+/// share their unknowns; held edges keep their axial place (without friction, a garment without any is held at its probe
+/// edge, and one that can turn by its pin; friction needs neither). Built as
 /// deal.II AffineConstraints.
 Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                          const Layout& layout, const Supports& supports);

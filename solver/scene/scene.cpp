@@ -92,6 +92,14 @@ void Scene::drop_matrix() {
   built_ = false;
 }
 
+void Scene::commit(State& state) const {
+  for (const auto& term : terms_) term->commit(state);
+}
+
+void Scene::begin(State& state) const {
+  if (state.reference.size() == 0) commit(state);
+}
+
 void Scene::update(const State& state) {
   bool changed = !built_;
   {
@@ -254,6 +262,9 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
   if (contact)
     scene.add(std::make_unique<Contact>(layout, garment, body, deformable, contact_stiffness(fabric, garment, body, skin),
                                         description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
+  if (has_friction(description))
+    scene.add(std::make_unique<Friction>(layout, *scene.find<Contact>(), description.contact->friction,
+                                         Friction::usual_elastic_slip * garment.mean_edge));
   return scene;
 }
 
@@ -277,6 +288,7 @@ State transfer(const State& state, const Layout& from, const Layout& to, const m
   if (from.pressures == to.pressures)
     moved.values.segment(to.pressure(0), to.pressures) = state.values.segment(from.pressure(0), from.pressures);
   moved.values.tail(to.multipliers) = state.values.tail(from.multipliers);
+  if (state.reference.size() > 0) moved.reference = moved.values, moved.traction = state.traction;
   return moved;
 }
 

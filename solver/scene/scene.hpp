@@ -10,6 +10,7 @@
 #include "solver/scene/constraints.hpp"
 #include "solver/terms/contact.hpp"
 #include "solver/terms/fabric_membrane.hpp"
+#include "solver/terms/friction.hpp"
 #include "solver/terms/tissue.hpp"
 
 namespace snug::solver {
@@ -34,6 +35,9 @@ class Scene {
 
   /// Before an increment: terms renew what stands still during its iterations.
   void renew(const State& state);
+  /// Terms write their history into an accepted state; `begin` gives a history to a state that has none.
+  void commit(State& state) const;
+  void begin(State& state) const;
   /// Lets every term look at the state; the sparsity pattern follows when one asks for it.
   void update(const State& state);
   /// Residual and tangent of all terms into the matrix. False: inadmissible state.

@@ -41,6 +41,7 @@ Homotopy releasing(double factor) {
 PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& path,
                        const IterationSink& sink) {
   PathResult result;
+  scene.begin(start);
   result.state = start;
   State before = start;
   double step = path.first_step, span = 0.0;
@@ -59,6 +60,7 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
     if (outcome == Outcome::converged) {
       before = result.state;
       span = t - result.reached;
+      scene.commit(trial);
       result.state = trial;
       result.reached = t;
       result.increments = increment;
@@ -67,7 +69,11 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
       if (t + 1.3 * step > 1.0) step = 1.0 - t;
     } else {
       result.message = to_string(outcome);
-      if (++failures > path.failures || step < path.smallest_step) return result;
+      if (++failures > path.failures || step < path.smallest_step) {
+        scene.renew(result.state);  // terms look at the state that is returned, not at the failed one
+        scene.update(result.state);
+        return result;
+      }
       step *= 0.5;
     }
   }

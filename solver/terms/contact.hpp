@@ -55,6 +55,25 @@ class Contact : public Term {
   struct Place { int triangle; Eigen::Vector3d L; double weight; };
   std::vector<Place> places() const;
 
+  /// A quadrature point that faces the skin, with what meets there in `state` (for friction). Entries of a triangle:
+  /// six garment nodes, then `skin_nodes_of`, three components each, then its vertices' multipliers.
+  struct Meeting {
+    double weight = 0.0;             ///< rest area, m2
+    Eigen::Vector3d L;
+    Eigen::Matrix<double, 6, 1> N;
+    int facet = -1;
+    Eigen::Vector3d x;               ///< on the garment
+    double gap = 0.0;                ///< m
+    FacetShape shape;
+    FacetPoint at;
+  };
+  void meetings(const State& state, int triangle, std::vector<Meeting>& list) const;
+  int triangles() const { return static_cast<int>(elements_.size()); }
+  const std::array<int, 3>& vertices_of(int triangle) const { return elements_[triangle].vertices; }
+  const std::vector<int>& skin_nodes_of(int triangle) const { return elements_[triangle].skin_nodes; }
+  const SkinSurface& skin() const { return skin_; }
+  double rest_area(int vertex) const { return area_[vertex]; }
+
  private:
   struct Element {
     std::array<int, 6> nodes;        ///< representative garment nodes

@@ -53,6 +53,8 @@ class Term {
   virtual bool update(const State&) { return false; }
   /// Renews what stands still while Newton's method iterates (the quadrature of contact), before an increment.
   virtual void renew(const State&) {}
+  /// Writes the history of an accepted state, the one that `update` saw last, into it.
+  virtual void commit(State&) const {}
   virtual void measure(const State&, Measure&) const {}
   /// A force from outside, which the balance of the supports counts.
   virtual bool is_load() const { return false; }

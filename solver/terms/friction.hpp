@@ -1,0 +1,78 @@
+// Coulomb friction between the garment (slave) and the skin (master).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/terms/contact.hpp"
+
+namespace snug::solver {
+
+/// Return mapping at the garment's vertices, triangle by triangle: with quadrature points q of the triangle,
+///   U_q = P_q (dx_q - sum_b N_b dy_b) + g_q sum_b (y^a N_b,a) (n_q . dy_b)   (d: since the last accepted state),
+///   slip  u_v = sum_q w_q L_v U_q / A_v,   A_v = sum_q w_q L_v,
+///   trial traction  t* = t_v^old + k u_v,   t_v = t* min(1, mu p_v / |t*|),
+/// and the garment feels -w_q sum_v L_v P_q t_v at point q, the skin its opposite. U_q vanishes when garment and skin turn
+/// together, so that forces and moments balance to round-off whatever the gap. The elastic slip k = mu p_ref / (0.005 h)
+/// regularises the stick (p_ref: mean pressure in contact, h: the garment's mean edge).
+/// Wriggers, Computational Contact Mechanics (2nd ed. 2006), sec. 5.2 and 9.4 (return mapping); Laursen, Computational
+/// Contact and Impact Mechanics (2002), ch. 5 (U_q).
+/// The points' frames and the bound mu p_v are those of the last `update`. With them frozen the forces derive from the
+/// convex potential A_v psi(u_v) (Huber's function: Tresca friction), so that the tangent is symmetric and positive
+/// semidefinite. As every iterate updates them, the converged state obeys Coulomb's law without any lag.
+class Friction : public Term {
+ public:
+  static constexpr double usual_elastic_slip = 0.005;  ///< over the garment's mean edge
+
+  /// `contact` has to outlive the term and to be updated before it; `elastic_slip` in m.
+  Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip);
+
+  std::string name() const override { return "friction"; }
+  const ElementEntries& entries() const override { return contact_.entries(); }
+  /// Of the frozen problem.
+  double energy(const State& state) const override;
+  bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
+  bool update(const State& state) override;
+  void renew(const State& state) override;
+  void commit(State& state) const override;
+
+  double coefficient() const { return coefficient_; }
+  /// Force on the garment (N) at the points of `Contact::meetings`, triangle by triangle.
+  struct PointForce { int triangle; Eigen::Vector3d x, force; };
+  std::vector<PointForce> point_forces(const State& state) const;
+  enum class Slip { none, stick, slip };
+  /// Traction on the garment (Pa per rest area) and state of its vertices: the mean over the triangles of a vertex.
+  struct VertexTraction {
+    Eigen::Vector3d traction = Eigen::Vector3d::Zero();
+    Slip slip = Slip::none;
+  };
+  std::vector<VertexTraction> vertex_tractions(const State& state) const;
+
+ private:
+  using Operator = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  struct Corner {
+    double area = 0.0;    ///< A_v of the points that face the skin, m2
+    double bound = 0.0;   ///< mu p_v, Pa
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries), m2
+  };
+  using Element = std::array<Corner, 3>;
+  struct Return {
+    Eigen::Vector3d trial, traction;
+    bool slips;
+  };
+  struct Slot;
+  double vertex_pressure(const State& state, int vertex) const;
+  void set_stiffness(const State& state);
+  void place(const State& state, int triangle);
+  Eigen::VectorXd change(const State& state, int triangle) const;
+  Return traction(const State& state, const Eigen::VectorXd& change, int triangle, int corner) const;
+
+  Layout layout_;
+  const Contact& contact_;
+  double coefficient_, elastic_slip_;
+  double stiffness_ = 0.0;         ///< k, Pa/m; 0: nothing touches yet
+  std::vector<Element> elements_;
+};
+
+}  // namespace snug::solver
