@@ -50,6 +50,11 @@ void add_scalars(vtkFieldData& data, const char* name, const std::vector<double>
   if (!values.empty()) add_field(data, name, values.size(), {}, [&](std::size_t n, int) { return values[n]; });
 }
 
+void add_vectors(vtkFieldData& data, const char* name, const std::vector<Eigen::Vector3d>& values) {
+  if (!values.empty())
+    add_field(data, name, values.size(), {"X", "Y", "Z"}, [&](std::size_t n, int c) { return values[n][c]; });
+}
+
 void add_integers(vtkFieldData& data, const char* name, const std::vector<int>& values) {
   if (values.empty()) return;
   vtkNew<vtkIntArray> array;
@@ -177,12 +182,12 @@ void write_body(const BodyResult& body, const Evaluation& evaluation, const std:
   set_points(*grid, body.nodes);
   add_body_cells(*grid, body);
   vtkPointData& points = *grid->GetPointData();
-  if (!body.displacement.empty())
-    add_field(points, "displacement", body.displacement.size(), {"X", "Y", "Z"},
-              [&](std::size_t n, int c) { return body.displacement[n][c]; });
+  add_vectors(points, "displacement", body.displacement);
   add_scalars(points, "contact_pressure", body.contact_pressure);
   add_scalars(points, "coverage", body.coverage);
   add_scalars(points, "laplace_pressure", body.laplace_pressure);
+  add_vectors(points, "shear_traction", body.shear_traction);
+  add_scalars(points, "slip", body.slip);
   add_stress(points, body.cauchy_stress);
   add_integers(points, "location", body.node_location);
   add_names(*grid, "location_names", body.locations);
@@ -199,6 +204,8 @@ void write_garment(const GarmentResult& garment, const std::filesystem::path& vt
     add_field(points, "displacement", garment.current.size(), {"X", "Y", "Z"},
               [&](std::size_t n, int c) { return garment.current[n][c] - garment.placed[n][c]; });
   add_scalars(points, "contact_pressure", garment.contact_pressure);
+  add_vectors(points, "shear_traction", garment.shear_traction);
+  add_scalars(points, "slip", garment.slip);
   vtkCellData& cells = *grid->GetCellData();
   add_scalars(cells, "tension_warp", garment.tension_warp);
   add_scalars(cells, "tension_weft", garment.tension_weft);

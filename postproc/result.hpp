@@ -17,6 +17,8 @@ struct ContactSample {
   double force = 0.0;              ///< N, contact force along the skin normal (>= 0 with the hat basis)
   double area = 0.0;               ///< m2, current garment area of the point; 0 where it faces no skin
   bool touching = false;
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< N, friction of the garment on the skin
+  bool slips = false;
 };
 
 /// The deformed body with nodal fields. Tensors are symmetric: xx yy zz xy yz xz.
@@ -34,6 +36,8 @@ struct BodyResult {
   std::vector<double> contact_pressure;               ///< Pa, nodes off the skin 0
   std::vector<double> coverage;                       ///< 0..1
   std::vector<double> laplace_pressure;               ///< Pa, L0 value where computed; may be empty
+  std::vector<Eigen::Vector3d> shear_traction;        ///< Pa, friction of the garment on the skin; empty without friction
+  std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips; empty without friction
 };
 
 struct GarmentResult {
@@ -44,6 +48,8 @@ struct GarmentResult {
   std::vector<double> stretch_warp, stretch_weft;     ///< a triangle
   std::vector<double> wrinkled;                       ///< 0 taut, 1 wrinkled, 2 slack, a triangle
   std::vector<double> contact_pressure;               ///< Pa per current area, a node
+  std::vector<Eigen::Vector3d> shear_traction;        ///< Pa per current area, friction of the skin on the garment, a node
+  std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips, a node; both empty without friction
 };
 
 struct Iteration {  ///< one row of history.csv
@@ -64,7 +70,8 @@ struct Balance {
   Eigen::Vector3d skin_force = Eigen::Vector3d::Zero();      ///< N, garment on skin
   Eigen::Vector3d force_error = Eigen::Vector3d::Zero();     ///< N, sum of all forces on body and garment
   Eigen::Vector3d moment_error = Eigen::Vector3d::Zero();    ///< N m, about the origin
-  double contact_force = 0.0;                                ///< N, sum of |point forces|
+  double contact_force = 0.0;                                ///< N, sum of |normal point forces|
+  double friction_force = 0.0;                               ///< N, sum of |tangential point forces|
   std::map<std::string, Eigen::Vector3d> reactions;          ///< "upper edge", "bone", "lower cut", ... N
 };
 
@@ -72,6 +79,15 @@ struct Phase {
   std::string name;
   double seconds = 0.0;
   std::vector<Phase> parts = {};  ///< what of it went where; need not add up
+};
+
+/// Pressure on the rigid skin for one assumption on where on its way friction acts. The way on which a garment was really
+/// put on is unknown, so that the spread over these rows belongs to the answer.
+struct DonningRow {
+  std::string name;               ///< "without friction", "friction over the last 10 % of the tightening", ...
+  double from = 1.0;              ///< fraction of the tightening from which friction acts
+  bool converged = false;
+  double mean_pressure = 0.0, max_pressure = 0.0;  ///< Pa, over the touched skin; largest nodal value
 };
 
 struct RunResult {
@@ -85,6 +101,7 @@ struct RunResult {
   Balance balance;
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;
+  std::vector<DonningRow> donning;  ///< empty without friction
   std::vector<Phase> phases;
   std::map<std::string, long> linear_solver;  ///< "factorisations", "solutions", "krylov_iterations", "ranks"
   double max_penetration = 0.0;   ///< m

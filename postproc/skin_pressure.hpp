@@ -40,4 +40,13 @@ SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t
                       const std::vector<Eigen::Vector3d>& positions, const std::vector<ContactSample>& samples,
                       int sweeps = 2);
 
+/// The same transfer of the samples' friction (`shear`): nodal traction, Pa, and which nodes stick (1) or slip (2) by the
+/// larger covered area of their samples; 0 where coverage is below 5 % or nothing touches.
+struct SkinShear {
+  std::vector<Eigen::Vector3d> traction;
+  std::vector<double> slip;
+};
+SkinShear transfer_shear(const std::vector<std::array<int, 9>>& facets, const SkinPressure& normal,
+                         const std::vector<ContactSample>& samples, int sweeps = 2);
+
 }  // namespace snug::postproc

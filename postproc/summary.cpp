@@ -111,7 +111,19 @@ Json balance_json(const Balance& balance) {
           {"force_error_N", vector_json(balance.force_error)},
           {"moment_error_Nm", vector_json(balance.moment_error)},
           {"contact_force_N", balance.contact_force},
+          {"friction_force_N", balance.friction_force},
           {"reactions_N", reactions}};
+}
+
+Json donning_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const DonningRow& row : run.donning)
+    json.push_back({{"assumption", row.name},
+                    {"friction_from", row.from},
+                    {"converged", row.converged},
+                    {"mean_contact_pressure_Pa", row.mean_pressure},
+                    {"max_contact_pressure_Pa", row.max_pressure}});
+  return json;
 }
 
 Json unknowns_json(const RunResult& run) {
@@ -158,6 +170,7 @@ void add_outcome(Json& json, const RunResult& run) {
   json["balance"] = balance_json(run.balance);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
+  if (!run.donning.empty()) json["spread over the assumed donning path"] = donning_json(run);
   json["numbers"] = object(run.numbers);
 }
 

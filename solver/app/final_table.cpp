@@ -48,6 +48,8 @@ std::string balance_text(const postproc::RunResult& run) {
   for (const auto& [name, reaction] : balance.reactions)
     text += fmt::format("  reaction           {}: {:.3g} {:.3g} {:.3g} N (x y z)\n", name, reaction.x(), reaction.y(),
                         reaction.z());
+  if (balance.friction_force > 0.0)
+    text += fmt::format("  friction           {:.3g} N (sum of the points' tangential forces)\n", balance.friction_force);
   if (balance.contact_force > 0.0)
     text += fmt::format("  penetration        {:.1e} mm at most\n", run.max_penetration * 1e3);
   return text;
@@ -79,6 +81,15 @@ std::string linear_text(const postproc::RunResult& run) {
                                  count("solutions"), count("factorisations"), count("krylov_iterations"));
   if (count("ranks") > 1) text += fmt::format(", {} ranks", count("ranks"));
   return text + "\n";
+}
+
+std::string donning_text(const postproc::RunResult& run) {
+  if (run.donning.empty()) return {};
+  std::string text = "  spread over the assumed donning path, on the rigid skin (mean and largest pressure):\n";
+  for (const postproc::DonningRow& row : run.donning)
+    text += fmt::format("    {:<46} {:>8.0f} Pa {:>8.0f} Pa{}\n", row.name, row.mean_pressure, row.max_pressure,
+                        row.converged ? "" : "  not converged");
+  return text;
 }
 
 std::string phases_text(const postproc::RunResult& run) {
@@ -115,7 +126,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
                        const std::filesystem::path& out) {
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, run.status,
                                  run.increments, run.iterations);
-  text += locations_text(evaluation) + balance_text(run) + sanity_text(run) + phases_text(run);
+  text += locations_text(evaluation) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}\n", memory_text(run.peak_memory));
   return text + fmt::format("  files              {}\n", out.string());
 }

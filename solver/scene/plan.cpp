@@ -66,10 +66,14 @@ void list_garment(const input::Case& description, const Meshes& meshes, Plan& pl
   plan.parts_in.push_back(
       fmt::format("garment: {}, tension-field membrane, {} P{} triangles", fabric.name, meshes.garment.triangles.size(), meshes.garment.order));
   if (description.contact)
-    plan.parts_in.push_back("contact: frictionless, weighted gaps, " + description.contact->basis + " multipliers");
+    plan.parts_in.push_back("contact: weighted gaps, " + description.contact->basis + " multipliers");
   else
     plan.parts_out.push_back("contact: no [contact] in the case");
-  plan.parts_out.push_back("friction: not in the case");
+  if (has_friction(description))
+    plan.parts_in.push_back(fmt::format("friction: coefficient {:g}, on from {:.0f} % of the tightening",
+                                        description.contact->friction, 100.0 * description.contact->friction_from));
+  else
+    plan.parts_out.push_back("friction: not in the case");
   plan.parts_out.push_back("bending: not in the case");
 }
 

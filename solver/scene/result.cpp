@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "postproc/skin_pressure.hpp"
+#include "solver/scene/friction_result.hpp"
 #include "solver/terms/facet_kind.hpp"
 
 namespace snug::solver {
@@ -191,6 +192,7 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
     const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);
     result.body.contact_pressure = pressure.pressure;
     result.body.coverage = pressure.coverage;
+    fill_friction(scene, state, garment, pressure, result);
   }
   fill_reactions(scene, state, body, garment, result.balance);
   result.max_penetration = scene.measure(state).penetration;

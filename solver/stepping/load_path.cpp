@@ -30,8 +30,8 @@ State predict(const PathResult& last, const State& before, double span, double s
 
 }  // namespace
 
-Homotopy tightening() {
-  return [](State& state, double t) { state.load = t; };
+Homotopy tightening(double from, double to) {
+  return [=](State& state, double t) { state.load = from + t * (to - from); };
 }
 
 Homotopy releasing(double factor) {

@@ -15,8 +15,8 @@ struct PathSettings {
 
 /// What changes along the path: puts the state at t in [0, 1].
 using Homotopy = std::function<void(State& state, double t)>;
-/// The garment tightens: s = t.
-Homotopy tightening();
+/// The garment tightens: s goes from `from` to `to`.
+Homotopy tightening(double from = 0.0, double to = 1.0);
 /// The body gives way under the tightened garment: its stiffness falls from `factor` times its own to its own.
 Homotopy releasing(double factor);
 

@@ -10,6 +10,7 @@
 #include "solver/algebra/communicator.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/result.hpp"
+#include "solver/stepping/donning.hpp"
 #include "solver/stepping/load_path.hpp"
 
 namespace snug::solver {
@@ -39,6 +40,8 @@ class Run {
     if (case_.garment) laplace();
     if (result_.tier == "L0")
       finish_laplace();
+    else if (has_friction(case_))
+      garment_with_friction();
     else if (case_.garment && case_.contact)
       garment_then_body();
     else if (result_.tier == "L4")
@@ -93,6 +96,14 @@ class Run {
     };
   }
 
+  /// Rows of a path that is not part of the history.
+  IterationSink quiet(const std::string& name) {
+    return [this, name](const postproc::Iteration& row) {
+      if (observer_)
+        observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, seconds(), expected_});
+    };
+  }
+
   void laplace() {
     const auto fabric = materials::find_fabric(case_.garment->fabric);
     const auto l0 = laplace_pressure(*case_.garment, fabric, meshes_.limb, meshes_.body);
@@ -115,6 +126,18 @@ class Run {
     path.newton.may_lag = skin == Skin::deformable;
     path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
     return path;
+  }
+
+  /// Where friction only sets in on the tightened garment there is nothing to halve: a second try has a stronger proximal
+  /// term. A sleeve that slips off is told from one that holds after few failures.
+  PathResult with_friction(Scene& scene, const State& at, double from, const IterationSink& rows) const {
+    PathSettings path = settings(Skin::rigid);
+    path.first_step = from < 1.0 ? 0.5 : 1.0;
+    path.failures = from < 1.0 ? 3 : 0;
+    PathResult result = follow_path(scene, at, tightening(from, 1.0), path, rows);
+    if (result.complete || from < 1.0) return result;
+    path.newton.proximal *= 100.0;
+    return follow_path(scene, at, tightening(from, 1.0), path, rows);
   }
 
   bool accept(const Scene& scene, const PathResult& path, const std::string& name) {
@@ -150,6 +173,41 @@ class Run {
     if (complete && result_.tier == "L4" && !stray(rigid, path.state)) return release_body(rigid, path.state);
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
     if (complete) name_sliding();
+    phase("results");
+  }
+
+  /// The path of the tightening is fictitious, so that the garment tightens on the rigid skin without friction up to the
+  /// fraction from which the case wants it. From there on it acts: on the rigid skin, then on the body. Two more such
+  /// paths on the rigid skin show what the assumption changes.
+  void garment_with_friction() {
+    Scene smooth = make_scene(without_friction(case_), meshes_.body, meshes_.garment, Skin::rigid);
+    Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
+    phase("set-up");
+    std::map<double, State> at;
+    State state = placed_state(smooth.layout(), meshes_.body, meshes_.garment);
+    for (const double to : donning_stops(case_)) {
+      const auto path = follow_path(smooth, state, tightening(state.load, to), settings(Skin::rigid), sink("rigid skin"));
+      if (!accept(smooth, path, "rigid skin")) {
+        fill_result(smooth, path.state, meshes_.body, meshes_.garment, result_);
+        return phase("results");
+      }
+      at[to] = state = path.state;
+    }
+    frictionless_.body = body_result(meshes_.body, false);
+    fill_result(smooth, state, meshes_.body, meshes_.garment, frictionless_);
+    result_.donning.push_back(donning_row("without friction", 1.0, true, smooth, state, meshes_));
+    for (const double from : donning_variations(case_)) {
+      const auto path = with_friction(rigid, at.at(from), from, quiet(donning_name(from)));
+      result_.donning.push_back(donning_row(donning_name(from), from, path.complete, rigid, path.state, meshes_));
+    }
+    phase("spread over donning paths");
+    const double from = case_.contact->friction_from;
+    const auto path = with_friction(rigid, at.at(from), from, sink("friction"));
+    const bool complete = accept(rigid, path, "friction");
+    result_.donning.push_back(donning_row(donning_name(from), from, complete, rigid, path.state, meshes_));
+    if (complete && result_.tier == "L4") return release_body(rigid, path.state);
+    fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
+    if (!complete) name_slipping();
     phase("results");
   }
 
@@ -195,24 +253,33 @@ class Run {
     return softest;
   }
 
+  /// No edge holds the garment and friction does not, either: the frictionless state, held at its probe edge, tells what
+  /// would have to be borne.
+  void name_slipping() {
+    if (!slides_freely(case_)) return;
+    const Push net = push(frictionless_, meshes_.garment);
+    if (net.friction_needed <= 0.9 * case_.contact->friction) return;
+    result_.status = "failed";
+    result_.message = fmt::format(
+        "no equilibrium: nothing holds the garment along the axis, a net contact force of {:.3g} N pushes it {} and "
+        "friction of {:g} does not bear it (about {:.3g} is needed); hold an edge: garment.held = [{{ edge = \"{}\", held = "
+        "\"axis\" }}]",
+        std::abs(net.force), net.force > 0.0 ? "down" : "up", case_.contact->friction, net.friction_needed,
+        probe_edge(meshes_.garment));
+  }
+
   /// A garment that no edge holds was held at its probe edge: a force there means that it would slide off.
   bool stray(const Scene& scene, const State& state) const {
     if (!slides_freely(case_)) return false;
     postproc::RunResult probe;
     probe.body = body_result(meshes_.body, false);
     fill_result(scene, state, meshes_.body, meshes_.garment, probe);
-    return sliding_force(probe) != 0.0;
-  }
-
-  double sliding_force(const postproc::RunResult& result) const {
-    const auto it = result.balance.reactions.find(probe_edge(meshes_.garment) + " edge");
-    const double force = it == result.balance.reactions.end() ? 0.0 : it->second.z();
-    return std::abs(force) > 1e-5 * result.balance.contact_force ? force : 0.0;
+    return push(probe, meshes_.garment).force != 0.0;
   }
 
   void name_sliding() {
-    if (!slides_freely(case_)) return;
-    const double force = sliding_force(result_);
+    if (!slides_freely(case_) || has_friction(case_)) return;
+    const double force = push(result_, meshes_.garment).force;
     if (force == 0.0) return;
     result_.status = "failed";
     result_.message = fmt::format(
@@ -227,7 +294,7 @@ class Run {
   Clock::time_point start_;
   double last_phase_ = 0.0, expected_ = 0.0;
   int increments_before_ = 0;
-  postproc::RunResult result_;
+  postproc::RunResult result_, frictionless_;
 };
 
 }  // namespace

@@ -171,7 +171,7 @@ std::vector<Friction::PointForce> Friction::point_forces(const State& state) con
     contact_.meetings(state, e, points);
     for (const Contact::Meeting& q : points) {
       const Eigen::Vector3d f = t * q.L;
-      forces.push_back({e, q.x, -q.weight * (f - f.dot(q.at.n) * q.at.n)});
+      forces.push_back({e, q.L, q.x, -q.weight * (f - f.dot(q.at.n) * q.at.n)});
     }
   }
   return forces;

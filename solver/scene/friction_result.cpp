@@ -1,0 +1,73 @@
+#include "solver/scene/friction_result.hpp"
+
+namespace snug::solver {
+
+namespace {
+
+using Vertices = std::vector<Friction::VertexTraction>;
+
+// Point forces come in the order of the samples that face the skin.
+void fill_samples(const Friction& friction, const Contact& contact, const State& state, const Vertices& vertices,
+                  std::vector<postproc::ContactSample>& samples) {
+  auto sample = samples.begin();
+  for (const auto& point : friction.point_forces(state)) {
+    while (sample->facet < 0) ++sample;
+    sample->shear = -point.force;
+    double slipping = 0.0;
+    for (int v = 0; v < 3; ++v)
+      if (vertices[contact.vertices_of(point.triangle)[v]].slip == Friction::Slip::slip) slipping += point.L[v];
+    sample->slips = slipping > 0.5;
+    ++sample;
+  }
+}
+
+// The forces act on the garment where it is: friction feels the gap's lever arm, a normal force does not.
+void fill_balance(const Friction& friction, const State& state, bool deformable, postproc::Balance& balance) {
+  for (const auto& point : friction.point_forces(state)) {
+    balance.garment_force += point.force;
+    balance.skin_force -= point.force;
+    balance.friction_force += point.force.norm();
+    if (deformable) continue;  // the rigid skin's support answers with the opposite force
+    balance.force_error += point.force;
+    balance.moment_error += point.x.cross(point.force);
+  }
+}
+
+// Tractions of the vertices, per current area as the pressure is; mid-edge nodes get the mean of their edge.
+void fill_garment(const Contact& contact, const Layout& layout, const State& state, const Vertices& vertices,
+                  const mesh::GarmentMesh& mesh, postproc::GarmentResult& garment) {
+  garment.shear_traction.assign(mesh.pattern.size(), Eigen::Vector3d::Zero());
+  garment.slip.assign(mesh.pattern.size(), 0.0);
+  for (const auto& triangle : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const int node = triangle[k], i = contact.multiplier_of(mesh.merged[node]);
+      const double p = state.values[layout.multiplier(i)];
+      const double per_current_area = p != 0.0 ? garment.contact_pressure[node] / p : 0.0;
+      garment.shear_traction[node] = per_current_area * vertices[i].traction;
+      garment.slip[node] = static_cast<double>(vertices[i].slip);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangle[k], b = triangle[(k + 1) % 3], middle = triangle[3 + k];
+      garment.shear_traction[middle] = 0.5 * (garment.shear_traction[a] + garment.shear_traction[b]);
+      garment.slip[middle] = std::max(garment.slip[a], garment.slip[b]);
+    }
+  }
+}
+
+}  // namespace
+
+void fill_friction(const Scene& scene, const State& state, const mesh::GarmentMesh& garment,
+                   const postproc::SkinPressure& normal, postproc::RunResult& result) {
+  const auto* friction = scene.find<Friction>();
+  if (!friction) return;
+  const auto& contact = *scene.find<Contact>();
+  const Vertices vertices = friction->vertex_tractions(state);
+  fill_samples(*friction, contact, state, vertices, result.samples);
+  fill_balance(*friction, state, scene.layout().body_nodes > 0, result.balance);
+  fill_garment(contact, scene.layout(), state, vertices, garment, result.garment);
+  auto skin = postproc::transfer_shear(result.body.skin_facets, normal, result.samples);
+  result.body.shear_traction = std::move(skin.traction);
+  result.body.slip = std::move(skin.slip);
+}
+
+}  // namespace snug::solver

@@ -1,0 +1,164 @@
+// Friction with the frames of its last update: its tangent is the derivative of its forces, its forces that of its
+// potential; garment and skin feel opposite forces and moments; no traction exceeds the bound.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::Skin, solver::State, solver::Tangent;
+
+/// A coarse sleeve on a tube, moved against the skin by `slip` (m, round the tube and along it) since a reference state
+/// in which its tractions were not zero; all nodes shaken, so that there are gaps, too.
+struct Rubbed {
+  input::Case description;
+  solver::Meshes meshes;
+  solver::Scene scene;
+  State state;
+
+  explicit Rubbed(Skin skin, double slip, double mu = 0.3)
+      : description(describe(mu)), meshes(make_meshes(description)),
+        scene(solver::make_scene(description, meshes.body, meshes.garment, skin)),
+        state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
+    const solver::Layout& layout = scene.layout();
+    state.values.head(layout.multiplier(0)) += random_vector(layout.multiplier(0), 2e-5, 1);
+    for (int i = 0; i < layout.multipliers; ++i) state.values[layout.multiplier(i)] = 5000.0 + 1000.0 * std::sin(i);
+    scene.find<solver::Contact>()->set_stiffness(1.0);  // all vertices decide for contact
+    friction().renew(state);
+    update();
+    scene.begin(state);
+    state.traction = random_vector(state.traction.size(), 300.0, 4);
+    const Eigen::AngleAxisd turn(slip / 0.055, Eigen::Vector3d::UnitZ());
+    for (int node = 0; node < layout.garment_nodes; ++node) {
+      auto x = state.values.segment<3>(layout.garment(node));
+      x = turn * x + Eigen::Vector3d(0.0, 0.0, 0.6 * slip);
+    }
+    state.values.head(layout.multiplier(0)) += random_vector(layout.multiplier(0), 0.3 * slip, 5);
+    update();
+  }
+
+  solver::Friction& friction() { return *scene.find<solver::Friction>(); }
+  void update() {
+    scene.find<solver::Contact>()->update(state);
+    friction().update(state);
+  }
+
+  static input::Case describe(double mu) {
+    TubeCase tube;
+    tube.around = 6, tube.along = 2, tube.through = 1, tube.cell_size = 0.03;
+    input::Case c = describe_tube(tube);
+    c.contact->friction = mu;
+    return c;
+  }
+
+  Eigen::VectorXd direction() const { return random_vector(scene.layout().size(), 1.0, 2); }
+};
+
+// One that sticks everywhere (elastic slip is 0.15 mm here), one that slips everywhere.
+constexpr double sticking = 1e-6, slipping = 1e-3;
+
+class FrictionTangent : public testing::TestWithParam<std::tuple<Skin, double>> {};
+
+TEST_P(FrictionTangent, IsTheDerivativeOfTheForcesAndTheForcesThatOfThePotential) {
+  Rubbed rubbed(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto& friction = rubbed.friction();
+  const Eigen::VectorXd direction = rubbed.direction();
+  const auto moved = [&](double s) {
+    State m = rubbed.state;
+    m.values += s * direction;
+    return m;
+  };
+  const Assembled at = assemble(friction, rubbed.state, Tangent::full);
+  const Eigen::VectorXd exact = at.tangent * direction;
+  const auto error = [&](double h) {
+    const Eigen::VectorXd difference = assemble(friction, moved(h), Tangent::none).residual -
+                                       assemble(friction, moved(-h), Tangent::none).residual;
+    return (difference / (2.0 * h) - exact).norm() / exact.norm();
+  };
+  if (std::get<1>(GetParam()) == sticking) {
+    EXPECT_LE(error(1e-6), 1e-8);  // linear: differences are exact
+  } else {
+    const double first = error(4e-5), second = error(2e-5), third = error(1e-5);
+    EXPECT_NEAR(first / second, 4.0, 0.3) << first << " " << second;
+    EXPECT_NEAR(second / third, 4.0, 0.3) << second << " " << third;
+  }
+  const auto slope = [&](double h) { return (friction.energy(moved(h)) - friction.energy(moved(-h))) / (2.0 * h); };
+  const double exact_slope = at.residual.dot(direction);
+  EXPECT_NEAR((4.0 * slope(4e-6) - slope(8e-6)) / 3.0, exact_slope, 1e-6 * std::abs(exact_slope));
+}
+
+TEST_P(FrictionTangent, IsSymmetricAndPositiveSemidefinite) {
+  Rubbed rubbed(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const Eigen::MatrixXd K = assemble(rubbed.friction(), rubbed.state, Tangent::full).tangent;
+  EXPECT_LE((K - K.transpose()).norm(), 1e-12 * K.norm());
+  for (unsigned seed = 10; seed < 20; ++seed) {
+    const Eigen::VectorXd d = random_vector(K.rows(), 1.0, seed);
+    EXPECT_GE(d.dot(K * d), 0.0);
+  }
+}
+
+TEST_P(FrictionTangent, TractionsKeepTheBound) {
+  Rubbed rubbed(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto& layout = rubbed.scene.layout();
+  int slips = 0, sticks = 0;
+  const auto vertices = rubbed.friction().vertex_tractions(rubbed.state);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const double bound = 0.3 * rubbed.state.values[layout.multiplier(static_cast<int>(i))];
+    EXPECT_LE(vertices[i].traction.norm(), (1.0 + 1e-12) * bound);
+    (vertices[i].slip == solver::Friction::Slip::slip ? slips : sticks) += 1;
+  }
+  EXPECT_EQ(std::get<1>(GetParam()) == sticking ? slips : sticks, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(SkinsAndSlips, FrictionTangent,
+                         testing::Combine(testing::Values(Skin::rigid, Skin::deformable),
+                                          testing::Values(sticking, slipping)),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param) == Skin::rigid ? "rigid_" : "deformable_") +
+                                  (std::get<1>(info.param) == sticking ? "sticks" : "slips");
+                         });
+
+/// Forces on the nodes of garment and skin sum to nothing, and so do their moments, although there are gaps.
+TEST(Friction, ForcesAndMomentsBalanceToRoundOff) {
+  Rubbed rubbed(Skin::deformable, slipping);
+  const auto& layout = rubbed.scene.layout();
+  const Eigen::VectorXd f = assemble(rubbed.friction(), rubbed.state, Tangent::none).residual;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+  double size = 0.0;
+  for (int entry = 0; entry < layout.multiplier(0); entry += 3) {
+    const Eigen::Vector3d x = rubbed.state.values.segment<3>(entry), nodal = f.segment<3>(entry);
+    force += nodal, moment += x.cross(nodal), size += nodal.norm();
+  }
+  EXPECT_GT(size, 1.0);  // N
+  EXPECT_LE(force.norm(), 1e-13 * size);
+  EXPECT_LE(moment.norm(), 1e-13 * size * 0.055);
+}
+
+/// What a rigid motion of garment and skin together leaves alone: no slip, no force.
+TEST(Friction, ACommonDisplacementDoesNotRub) {
+  Rubbed rubbed(Skin::deformable, sticking);
+  State state = rubbed.state;
+  state.traction.setZero();
+  state.values = state.reference;
+  for (int entry = 0; entry < rubbed.scene.layout().multiplier(0); entry += 3)
+    state.values.segment<3>(entry) += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
+  EXPECT_LE(assemble(rubbed.friction(), state, Tangent::none).residual.norm(), 1e-10);
+}
+
+/// A scene without friction has neither the term nor a history.
+TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
+  const input::Case c = Rubbed::describe(0.0);
+  const solver::Meshes meshes = make_meshes(c);
+  const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, Skin::rigid);
+  State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+  scene.begin(state);
+  EXPECT_EQ(scene.find<solver::Friction>(), nullptr);
+  EXPECT_EQ(state.reference.size(), 0);
+  EXPECT_EQ(state.traction.size(), 0);
+}
+
+}  // namespace
+}  // namespace snug::tests
