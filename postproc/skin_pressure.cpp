@@ -144,13 +144,6 @@ void sweep(const Sums& sums, const Eigen::VectorXd& diagonal, int sweeps, Eigen:
   }
 }
 
-Eigen::VectorXd nodal_density(const Sums& sums, int sweeps) {
-  const Eigen::VectorXd diagonal = sweep_diagonal(sums);
-  Eigen::VectorXd density = first_pressure(sums, diagonal);
-  sweep(sums, diagonal, sweeps, density);
-  return density;
-}
-
 std::vector<double> to_vector(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
 /// A facet of 4 or 6 nodes cut into triangles between its nodes: each gives a third of its area to its corners.
@@ -192,7 +185,10 @@ std::vector<double> nodal_areas(const Facets& facets, std::size_t nodes, const P
 SkinPressure transfer(const Facets& facets, std::size_t nodes, const Points& positions,
                       const std::vector<ContactSample>& samples, int sweeps) {
   const Sums sums = sum_samples(facets, nodes, samples);
-  Eigen::VectorXd pressure = nodal_density(sums, sweeps);
+  const Eigen::VectorXd diagonal = sweep_diagonal(sums);
+  Eigen::VectorXd pressure = first_pressure(sums, diagonal);
+  sweep(sums, diagonal, sweeps, pressure);
+
   const std::vector<double> areas = nodal_areas(facets, nodes, positions);
   SkinPressure result;
   result.coverage.assign(nodes, 0.0);
@@ -208,26 +204,24 @@ SkinPressure transfer(const Facets& facets, std::size_t nodes, const Points& pos
   return result;
 }
 
-SkinShear transfer_shear(const Facets& facets, const SkinPressure& normal, const std::vector<ContactSample>& samples,
-                         int sweeps) {
+SkinShear transfer_shear(const Facets& facets, const SkinPressure& normal, const std::vector<ContactSample>& samples) {
   const std::size_t nodes = normal.pressure.size();
   SkinShear result{Points(nodes, Eigen::Vector3d::Zero()), std::vector<double>(nodes, 0.0)};
-  std::vector<ContactSample> component = samples;
-  for (int c = 0; c < 3; ++c) {
-    for (std::size_t s = 0; s < samples.size(); ++s) component[s].force = samples[s].shear[c];
-    const Eigen::VectorXd density = nodal_density(sum_samples(facets, nodes, component), sweeps);
-    for (std::size_t j = 0; j < nodes; ++j)
-      if (normal.pressure[j] > 0) result.traction[j][c] = density[j];
-  }
-  std::vector<double> sticking(nodes, 0.0), slipping(nodes, 0.0);
+  std::vector<double> force(nodes, 0.0), sticking(nodes, 0.0), slipping(nodes, 0.0);
   for (const ContactSample& sample : samples) {
     if (sample.facet < 0 || !sample.touching) continue;
     const auto hats = tensor(hat(sample.xi), hat(sample.eta));
-    for (int i = 0; i < 9; ++i)
-      (sample.slips ? slipping : sticking)[facets.at(sample.facet)[i]] += sample.area * hats[i];
+    for (int i = 0; i < 9; ++i) {
+      const int node = facets.at(sample.facet)[i];
+      result.traction[node] += hats[i] * sample.shear;
+      force[node] += hats[i] * sample.force;
+      (sample.slips ? slipping : sticking)[node] += sample.area * hats[i];
+    }
   }
-  for (std::size_t j = 0; j < nodes; ++j)
-    if (normal.pressure[j] > 0) result.slip[j] = slipping[j] > sticking[j] ? 2.0 : 1.0;
+  for (std::size_t j = 0; j < nodes; ++j) {
+    result.traction[j] *= force[j] > 0.0 ? normal.pressure[j] / force[j] : 0.0;
+    if (normal.pressure[j] > 0.0) result.slip[j] = slipping[j] > sticking[j] ? 2.0 : 1.0;
+  }
   return result;
 }
 

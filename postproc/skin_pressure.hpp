@@ -40,13 +40,14 @@ SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t
                       const std::vector<Eigen::Vector3d>& positions, const std::vector<ContactSample>& samples,
                       int sweeps = 2);
 
-/// The same transfer of the samples' friction (`shear`): nodal traction, Pa, and which nodes stick (1) or slip (2) by the
-/// larger covered area of their samples; 0 where coverage is below 5 % or nothing touches.
+/// Friction (`shear`) of the samples on the nodes, Pa: the nodal pressure times the ratio of shear to normal force round the
+/// node. The weights of that ratio are positive hats, so that what obeys |t| <= mu p at the samples does so at the nodes.
+/// A node sticks (1) or slips (2) by the larger covered area of its samples; 0 where the pressure is 0.
 struct SkinShear {
   std::vector<Eigen::Vector3d> traction;
   std::vector<double> slip;
 };
 SkinShear transfer_shear(const std::vector<std::array<int, 9>>& facets, const SkinPressure& normal,
-                         const std::vector<ContactSample>& samples, int sweeps = 2);
+                         const std::vector<ContactSample>& samples);
 
 }  // namespace snug::postproc

@@ -170,7 +170,7 @@ void add_outcome(Json& json, const RunResult& run) {
   json["balance"] = balance_json(run.balance);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
-  if (!run.donning.empty()) json["spread over the assumed donning path"] = donning_json(run);
+  if (!run.donning.empty()) json["spread_over_donning_paths"] = donning_json(run);
   json["numbers"] = object(run.numbers);
 }
 

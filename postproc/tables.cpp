@@ -39,12 +39,19 @@ void write_skin(std::ostream& out, const BodyResult& body) {
   std::vector<char> skin(body.nodes.size(), 0);
   for (const auto& facet : body.skin_facets)
     for (const int node : std::span(facet).first(body.facet_nodes)) skin[node] = 1;
-  out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m],pressure [Pa],coverage\n";
+  const bool friction = !body.shear_traction.empty();
+  out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m],pressure [Pa],coverage"
+      << (friction ? ",shear x [Pa],shear y [Pa],shear z [Pa],slip\n" : "\n");
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     if (!skin[n]) continue;
     const Eigen::Vector3d &x = body.nodes[n], &u = body.displacement[n];
-    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}\n", n + 1, x.x(), x.y(), x.z(), u.x(),
+    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}", n + 1, x.x(), x.y(), x.z(), u.x(),
                u.y(), u.z(), body.contact_pressure[n], body.coverage[n]);
+    if (friction) {
+      const Eigen::Vector3d& t = body.shear_traction[n];
+      fmt::print(out, ",{:.9g},{:.9g},{:.9g},{:.0f}", t.x(), t.y(), t.z(), body.slip[n]);
+    }
+    out << "\n";
   }
 }
 

@@ -33,7 +33,8 @@ std::string ansys_number(double value);
 void write_listing(std::ostream& out, const Listing& listing);
 
 void write_locations(std::ostream& out, const Evaluation& evaluation);  ///< locations.csv: Pa, gf/cm2, mmHg
-/// skin.csv: a row a node of the skin with its reference position, displacement, pressure and coverage.
+/// skin.csv: a row a node of the skin with its reference position, displacement, pressure and coverage;
+/// with friction also the traction of the garment on it and the slip (0 no contact, 1 sticks, 2 slips).
 void write_skin(std::ostream& out, const BodyResult& body);
 void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration
 

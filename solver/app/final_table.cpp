@@ -49,7 +49,9 @@ std::string balance_text(const postproc::RunResult& run) {
     text += fmt::format("  reaction           {}: {:.3g} {:.3g} {:.3g} N (x y z)\n", name, reaction.x(), reaction.y(),
                         reaction.z());
   if (balance.friction_force > 0.0)
-    text += fmt::format("  friction           {:.3g} N (sum of the points' tangential forces)\n", balance.friction_force);
+    text += fmt::format("  friction           {:.3g} N (sum of the points' tangential forces), at most {:.3g} Pa, {:.0f} % of the contact slips\n",
+                        balance.friction_force, run.numbers.at("max_shear_traction_Pa"),
+                        100.0 * run.numbers.at("slipping_share_of_contact"));
   if (balance.contact_force > 0.0)
     text += fmt::format("  penetration        {:.1e} mm at most\n", run.max_penetration * 1e3);
   return text;

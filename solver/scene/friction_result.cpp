@@ -54,6 +54,15 @@ void fill_garment(const Contact& contact, const Layout& layout, const State& sta
   }
 }
 
+void fill_numbers(postproc::RunResult& result) {
+  double slipping = 0.0, area = 0.0, largest = 0.0;
+  for (const auto& sample : result.samples)
+    if (sample.touching) area += sample.area, slipping += sample.slips ? sample.area : 0.0;
+  for (const Eigen::Vector3d& t : result.body.shear_traction) largest = std::max(largest, t.norm());
+  result.numbers["max_shear_traction_Pa"] = largest;
+  if (area > 0.0) result.numbers["slipping_share_of_contact"] = slipping / area;
+}
+
 }  // namespace
 
 void fill_friction(const Scene& scene, const State& state, const mesh::GarmentMesh& garment,
@@ -68,6 +77,7 @@ void fill_friction(const Scene& scene, const State& state, const mesh::GarmentMe
   auto skin = postproc::transfer_shear(result.body.skin_facets, normal, result.samples);
   result.body.shear_traction = std::move(skin.traction);
   result.body.slip = std::move(skin.slip);
+  fill_numbers(result);
 }
 
 }  // namespace snug::solver

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "solver/algebra/costs.hpp"
@@ -53,7 +54,8 @@ class Scene {
   /// Gives the memory of matrix and factor back; the next update builds them anew.
   void drop_matrix();
   /// Times and counts since the scene was made.
-  const Costs& costs() const { return costs_; }
+  /// What was spent since the last call.
+  Costs take_costs() { return std::exchange(costs_, {}); }
 
   /// Rows of pressures and multipliers: the negative pivots that a minimum on their constraints has.
   int saddle_rows() const;

@@ -62,4 +62,14 @@ Push push(const postproc::RunResult& frictionless, const mesh::GarmentMesh& garm
   return {force, std::abs(force) / std::sqrt(std::max(1e-30, contact * contact - force * force))};
 }
 
+std::string no_equilibrium(const Push& push, const input::Case& description, const mesh::GarmentMesh& garment) {
+  std::string text =
+      fmt::format("no equilibrium: nothing holds the garment along the axis and a net contact force of {:.3g} N pushes it {}",
+                  std::abs(push.force), push.force > 0.0 ? "down" : "up");
+  if (has_friction(description))
+    text += fmt::format("; friction of {:g} does not bear it, about {:.3g} would", description.contact->friction,
+                        push.friction_needed);
+  return text + fmt::format("; hold an edge: garment.held = [{{ edge = \"{}\", held = \"axis\" }}]", probe_edge(garment));
+}
+
 }  // namespace snug::solver

@@ -30,5 +30,7 @@ struct Push {
   double force = 0.0, friction_needed = 0.0;
 };
 Push push(const postproc::RunResult& frictionless, const mesh::GarmentMesh& garment);
+/// Says so, and what would help.
+std::string no_equilibrium(const Push& push, const input::Case& description, const mesh::GarmentMesh& garment);
 
 }  // namespace snug::solver

@@ -71,11 +71,13 @@ class Run {
   }
 
   /// Tells where the time of the phase `name` went, from the scene that it was spent in.
-  void account(const Scene& scene, const std::string& name) {
-    const Costs& costs = scene.costs();
-    result_.linear_solver["factorisations"] += costs.factorisations;
-    result_.linear_solver["solutions"] += costs.solutions;
-    result_.linear_solver["krylov_iterations"] += costs.iterations;
+  void account(Scene& scene, const std::string& name) {
+    const Costs fresh = scene.take_costs();
+    Costs& costs = spent_[name];
+    costs += fresh;
+    result_.linear_solver["factorisations"] += fresh.factorisations;
+    result_.linear_solver["solutions"] += fresh.solutions;
+    result_.linear_solver["krylov_iterations"] += fresh.iterations;
     result_.linear_solver["ranks"] = ranks();
     for (auto& p : result_.phases)
       if (p.name == name)
@@ -128,19 +130,16 @@ class Run {
     return path;
   }
 
-  /// Where friction only sets in on the tightened garment there is nothing to halve: a second try has a stronger proximal
-  /// term. A sleeve that slips off is told from one that holds after few failures.
+  /// Where friction only sets in on the tightened garment there is nothing to halve. A sleeve that slips off is told from
+  /// one that holds after few failures.
   PathResult with_friction(Scene& scene, const State& at, double from, const IterationSink& rows) const {
     PathSettings path = settings(Skin::rigid);
     path.first_step = from < 1.0 ? 0.5 : 1.0;
     path.failures = from < 1.0 ? 3 : 0;
-    PathResult result = follow_path(scene, at, tightening(from, 1.0), path, rows);
-    if (result.complete || from < 1.0) return result;
-    path.newton.proximal *= 100.0;
     return follow_path(scene, at, tightening(from, 1.0), path, rows);
   }
 
-  bool accept(const Scene& scene, const PathResult& path, const std::string& name) {
+  bool accept(Scene& scene, const PathResult& path, const std::string& name) {
     result_.increments = increments_before_ += path.increments;
     result_.iterations = static_cast<int>(result_.history.size());
     result_.status = path.complete ? "converged" : increments_before_ > 0 ? "partial" : "failed";
@@ -177,8 +176,7 @@ class Run {
   }
 
   /// The path of the tightening is fictitious, so that the garment tightens on the rigid skin without friction up to the
-  /// fraction from which the case wants it. From there on it acts: on the rigid skin, then on the body. Two more such
-  /// paths on the rigid skin show what the assumption changes.
+  /// fraction from which the case wants it. From there on it acts: on the rigid skin, then on the body.
   void garment_with_friction() {
     Scene smooth = make_scene(without_friction(case_), meshes_.body, meshes_.garment, Skin::rigid);
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
@@ -193,22 +191,31 @@ class Run {
       }
       at[to] = state = path.state;
     }
-    frictionless_.body = body_result(meshes_.body, false);
-    fill_result(smooth, state, meshes_.body, meshes_.garment, frictionless_);
-    result_.donning.push_back(donning_row("without friction", 1.0, true, smooth, state, meshes_));
+    const double from = case_.contact->friction_from;
+    const auto path = with_friction(rigid, at.at(from), from, sink("friction"));
+    const bool complete = accept(rigid, path, "friction");
+    if (complete) {
+      result_.donning = {donning_row("without friction", 1.0, true, smooth, state, meshes_),
+                         donning_row(donning_name(from), from, true, rigid, path.state, meshes_)};
+      add_donning_variations(at);
+      smooth.drop_matrix(), rigid.drop_matrix();  // the body needs the memory
+      if (result_.tier == "L4") return release_body(rigid, path.state);
+    }
+    fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
+    if (!complete) name_slipping(smooth, state);
+    phase("results");
+  }
+
+  /// Two more paths on the rigid skin show what the assumption changes; `at`: frictionless states on the way.
+  void add_donning_variations(const std::map<double, State>& at) {
+    const std::string name = "spread over donning paths";
+    Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
     for (const double from : donning_variations(case_)) {
       const auto path = with_friction(rigid, at.at(from), from, quiet(donning_name(from)));
       result_.donning.push_back(donning_row(donning_name(from), from, path.complete, rigid, path.state, meshes_));
     }
-    phase("spread over donning paths");
-    const double from = case_.contact->friction_from;
-    const auto path = with_friction(rigid, at.at(from), from, sink("friction"));
-    const bool complete = accept(rigid, path, "friction");
-    result_.donning.push_back(donning_row(donning_name(from), from, complete, rigid, path.state, meshes_));
-    if (complete && result_.tier == "L4") return release_body(rigid, path.state);
-    fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
-    if (!complete) name_slipping();
-    phase("results");
+    phase(name);
+    account(rigid, name);
   }
 
   /// The rigid skin carries any pressure; tissue gives way. Where it gives way little (pressure below its shear modulus) the
@@ -253,40 +260,33 @@ class Run {
     return softest;
   }
 
-  /// No edge holds the garment and friction does not, either: the frictionless state, held at its probe edge, tells what
-  /// would have to be borne.
-  void name_slipping() {
-    if (!slides_freely(case_)) return;
-    const Push net = push(frictionless_, meshes_.garment);
-    if (net.friction_needed <= 0.9 * case_.contact->friction) return;
-    result_.status = "failed";
-    result_.message = fmt::format(
-        "no equilibrium: nothing holds the garment along the axis, a net contact force of {:.3g} N pushes it {} and "
-        "friction of {:g} does not bear it (about {:.3g} is needed); hold an edge: garment.held = [{{ edge = \"{}\", held = "
-        "\"axis\" }}]",
-        std::abs(net.force), net.force > 0.0 ? "down" : "up", case_.contact->friction, net.friction_needed,
-        probe_edge(meshes_.garment));
+  postproc::RunResult result_on_rigid(const Scene& scene, const State& state) const {
+    postproc::RunResult result;
+    result.body = body_result(meshes_.body, false);
+    fill_result(scene, state, meshes_.body, meshes_.garment, result);
+    return result;
   }
 
   /// A garment that no edge holds was held at its probe edge: a force there means that it would slide off.
   bool stray(const Scene& scene, const State& state) const {
-    if (!slides_freely(case_)) return false;
-    postproc::RunResult probe;
-    probe.body = body_result(meshes_.body, false);
-    fill_result(scene, state, meshes_.body, meshes_.garment, probe);
-    return push(probe, meshes_.garment).force != 0.0;
+    return slides_freely(case_) && push(result_on_rigid(scene, state), meshes_.garment).force != 0.0;
+  }
+
+  /// No edge holds the garment and friction does not, either: the frictionless state, held at its probe edge, tells what
+  /// would have to be borne.
+  void name_slipping(const Scene& smooth, const State& tight) {
+    if (!slides_freely(case_)) return;
+    const Push net = push(result_on_rigid(smooth, tight), meshes_.garment);
+    if (net.friction_needed > 0.9 * case_.contact->friction) fail(no_equilibrium(net, case_, meshes_.garment));
   }
 
   void name_sliding() {
     if (!slides_freely(case_) || has_friction(case_)) return;
-    const double force = push(result_, meshes_.garment).force;
-    if (force == 0.0) return;
-    result_.status = "failed";
-    result_.message = fmt::format(
-        "no equilibrium: nothing holds the garment along the axis and a net contact force of {:.3g} N pushes it {}; "
-        "hold an edge: garment.held = [{{ edge = \"{}\", held = \"axis\" }}]",
-        std::abs(force), force > 0.0 ? "down" : "up", probe_edge(meshes_.garment));
+    const Push net = push(result_, meshes_.garment);
+    if (net.force != 0.0) fail(no_equilibrium(net, case_, meshes_.garment));
   }
+
+  void fail(const std::string& why) { result_.status = "failed", result_.message = why; }
 
   const input::Case& case_;
   const Meshes& meshes_;
@@ -294,7 +294,8 @@ class Run {
   Clock::time_point start_;
   double last_phase_ = 0.0, expected_ = 0.0;
   int increments_before_ = 0;
-  postproc::RunResult result_, frictionless_;
+  postproc::RunResult result_;
+  std::map<std::string, Costs> spent_;  ///< a phase
 };
 
 }  // namespace

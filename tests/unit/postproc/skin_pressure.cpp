@@ -167,6 +167,26 @@ TEST(SkinPressure, SweepsStayBoundedOnAHemThatCutsFacets) {
   }
 }
 
+TEST(SkinShear, ObeysTheSamplesBoundAndIsExactWhereTheyMobiliseFrictionEvenly) {
+  // Steep pressure, hem across the facets: where every sample slips one way, the nodes carry mu p that way; where samples
+  // stick or slip differently, no node exceeds mu p.
+  const Patch skin = patch(6);
+  const double mu = 0.3;
+  auto samples = samples_of(6, 4, [](double x, double y) { return 1e3 * std::exp(4.0 * x - 3.0 * y); }, 0.55);
+  for (auto& sample : samples) sample.shear = {mu * sample.force, 0.0, 0.0}, sample.slips = true;
+  const auto normal = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples);
+  const auto even = transfer_shear(skin.facets, normal, samples);
+  for (std::size_t n = 0; n < skin.nodes.size(); ++n) {
+    EXPECT_NEAR(even.traction[n].x(), mu * normal.pressure[n], 1e-12 * normal.pressure[n]);
+    EXPECT_EQ(even.slip[n], normal.pressure[n] > 0.0 ? 2.0 : 0.0);
+  }
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    samples[s].shear = mu * samples[s].force * Eigen::Vector3d(std::sin(s), std::cos(s), 0.0) * (s % 3) / 2.0;
+  const auto mixed = transfer_shear(skin.facets, normal, samples);
+  for (std::size_t n = 0; n < skin.nodes.size(); ++n)
+    EXPECT_LE(mixed.traction[n].norm(), (1.0 + 1e-12) * mu * normal.pressure[n]);
+}
+
 TEST(SkinPressure, ForceWithoutAFacetIsReportedAsLost) {
   // A sample that faces no skin gives nothing to the nodes, and its force is named.
   const Patch skin = patch(2);

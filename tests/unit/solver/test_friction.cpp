@@ -148,6 +148,32 @@ TEST(Friction, ACommonDisplacementDoesNotRub) {
   EXPECT_LE(assemble(rubbed.friction(), state, Tangent::none).residual.norm(), 1e-10);
 }
 
+/// The memory of friction stands on the garment's vertices, not on the points: cutting the quadrature anew leaves it alone.
+TEST(Friction, RenewedQuadratureKeepsTheTractions) {
+  Rubbed rubbed(Skin::deformable, sticking);
+  rubbed.scene.commit(rubbed.state);
+  const auto tractions = [&] { return rubbed.friction().vertex_tractions(rubbed.state); };
+  const auto force = [&] { return assemble(rubbed.friction(), rubbed.state, Tangent::none).residual; };
+  rubbed.update();
+  const auto before = tractions();
+  const Eigen::VectorXd force_before = force();
+  const auto points_before = rubbed.scene.find<solver::Contact>()->places().size();
+  for (int node = 0; node < rubbed.scene.layout().garment_nodes; ++node) {  // a cut elsewhere
+    auto x = rubbed.state.values.segment<3>(rubbed.scene.layout().garment(node));
+    x = Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ()) * x;
+  }
+  rubbed.scene.renew(rubbed.state);
+  rubbed.update();
+  EXPECT_NE(rubbed.scene.find<solver::Contact>()->places().size(), points_before);
+  rubbed.state.values = rubbed.state.reference;  // back; the quadrature is cut there again
+  rubbed.scene.renew(rubbed.state);
+  rubbed.update();
+  const auto after = tractions();
+  for (std::size_t i = 0; i < after.size(); ++i)
+    EXPECT_LE((after[i].traction - before[i].traction).norm(), 1e-3 * before[i].traction.norm()) << i;
+  EXPECT_LE((force() - force_before).norm(), 1e-3 * force_before.norm());
+}
+
 /// A scene without friction has neither the term nor a history.
 TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   const input::Case c = Rubbed::describe(0.0);
