@@ -210,9 +210,10 @@ SkinShear transfer_shear(const Facets& facets, const SkinPressure& normal, const
   std::vector<double> force(nodes, 0.0), sticking(nodes, 0.0), slipping(nodes, 0.0);
   for (const ContactSample& sample : samples) {
     if (sample.facet < 0 || !sample.touching) continue;
-    const auto hats = tensor(hat(sample.xi), hat(sample.eta));
-    for (int i = 0; i < 9; ++i) {
-      const int node = facets.at(sample.facet)[i];
+    const auto& facet = facets.at(sample.facet);
+    const auto& [count, shape, hats] = shares(facet, sample.xi, sample.eta);
+    for (int i = 0; i < count; ++i) {
+      const int node = facet[i];
       result.traction[node] += hats[i] * sample.shear;
       force[node] += hats[i] * sample.force;
       (sample.slips ? slipping : sticking)[node] += sample.area * hats[i];
