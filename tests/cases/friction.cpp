@@ -69,7 +69,8 @@ TEST_F(Program, FrictionIsWrittenSaidAndTheSameOnTwoRanks) {
   for (std::size_t i = 0; i < first.size(); ++i)
     for (const auto& [name, value] : first[i]) {
       const double size = name.front() == 'u' ? moved : name.ends_with("[Pa]") ? pressure : 0.0;
-      if (size > 0.0) EXPECT_NEAR(second[i].at(name), value, 1e-8 * size) << "node " << i << " " << name;
+      if (size == 0.0) continue;
+      EXPECT_NEAR(second[i].at(name), value, 1e-8 * size) << "node " << i << " " << name;
     }
 }
 
