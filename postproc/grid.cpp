@@ -20,7 +20,9 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
+#include <regex>
 #include <stdexcept>
 
 #include "postproc/stress.hpp"
@@ -217,6 +219,18 @@ void write_garment(const GarmentResult& garment, const std::filesystem::path& vt
   write(*grid, vtu);
 }
 
+void write_surface(const SurfaceGrid& surface, const std::filesystem::path& vtu) {
+  vtkNew<vtkUnstructuredGrid> grid;
+  set_points(*grid, surface.points);
+  add_cells(*grid, {VTK_TRIANGLE, {0, 1, 2}}, surface.triangles);
+  if (!surface.displacement.empty())
+    add_field(*grid->GetPointData(), "displacement", surface.displacement.size(), {"X", "Y", "Z"},
+              [&](std::size_t n, int c) { return surface.displacement[n][c]; });
+  for (const auto& [name, values] : surface.point_fields) add_scalars(*grid->GetPointData(), name.c_str(), values);
+  for (const auto& [name, values] : surface.cell_fields) add_scalars(*grid->GetCellData(), name.c_str(), values);
+  write(*grid, vtu);
+}
+
 void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd) {
   std::ofstream out(pvd);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
@@ -226,6 +240,16 @@ void write_series(const std::vector<GridStep>& steps, const std::filesystem::pat
                        step.file.generic_string());
   out << "  </Collection>\n</VTKFile>\n";
   if (!out.flush()) throw std::runtime_error("cannot write " + pvd.string());
+}
+
+std::vector<GridStep> read_series(const std::filesystem::path& pvd) {
+  std::ifstream in(pvd);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  static const std::regex entry("<DataSet timestep=\"([^\"]*)\"[^>]*file=\"([^\"]*)\"");
+  std::vector<GridStep> steps;
+  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it)
+    steps.push_back({std::stod((*it)[1]), (*it)[2].str()});
+  return steps;
 }
 
 }  // namespace snug::postproc

@@ -1,7 +1,9 @@
 // Body and garment as files for ParaView (VTU, PVD). SI units.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,19 @@ void write_body(const BodyResult& body, const Evaluation& evaluation, const std:
 /// counts from the placed shape, so that warping by -1 goes back to it.
 void write_garment(const GarmentResult& garment, const std::filesystem::path& vtu);
 
+/// A surface of plane triangles with named fields, a value a point or a triangle.
+struct SurfaceGrid {
+  std::vector<Eigen::Vector3d> points;  ///< m
+  std::vector<std::array<int, 3>> triangles;
+  std::map<std::string, std::vector<double>> point_fields, cell_fields;
+  std::vector<Eigen::Vector3d> displacement;  ///< m, a point field; may be empty
+};
+void write_surface(const SurfaceGrid& surface, const std::filesystem::path& vtu);
+
 /// Writes the series file that ParaView opens.
 void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd);
+
+/// The steps of a series file in their order; none where there is no such file.
+std::vector<GridStep> read_series(const std::filesystem::path& pvd);
 
 }  // namespace snug::postproc

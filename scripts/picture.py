@@ -23,19 +23,29 @@ def rgb(text):
     return tuple(int(text[i : i + 2], 16) / 255 for i in (0, 2, 4))
 
 
-def last_step(collection):
-    """The grid of the last time step of a PVD file, or None where there is no such file."""
+def steps(collection):
+    """The files of a PVD file in the order of time; none where there is no such file."""
     if not collection.is_file():
-        return None
+        return []
     sets = ElementTree.parse(collection).getroot().findall(".//DataSet")
     if not sets:
         sys.exit(f"error: {collection} lists no time step; run the case again")
-    last = max(sets, key=lambda entry: float(entry.get("timestep", 0)))
+    sets.sort(key=lambda entry: float(entry.get("timestep", 0)))
+    return [collection.parent / entry.get("file") for entry in sets]
+
+
+def read(file):
     reader = vtk.vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(collection.parent / last.get("file")))
+    reader.SetFileName(str(file))
     reader.Update()
     grid = reader.GetOutput()
     return grid if grid.GetNumberOfCells() else None
+
+
+def last_step(collection):
+    """The grid of the last time step of a PVD file, or None where there is no such file."""
+    files = steps(collection)
+    return read(files[-1]) if files else None
 
 
 def deformed(body):
@@ -198,17 +208,17 @@ def colour_bar(window, function, title, box, size):
     window.AddRenderer(renderer)
 
 
-def row(window, actors, bounds, bottom, top, right, size):
+def row(window, actors, bounds, bottom, top, right, size, views):
     """One renderer a view, all at one scale; parallel projection, so that lengths compare."""
     low, high = bounds[0::2], bounds[1::2]
     centre = [(a + b) / 2 for a, b in zip(low, high)]
     across, height = max(high[0] - low[0], high[1] - low[1]), high[2] - low[2]
     pixels = window.GetSize()
-    aspect = (right / len(VIEWS) * pixels[0]) / ((top - bottom) * pixels[1])
+    aspect = (right / len(views) * pixels[0]) / ((top - bottom) * pixels[1])
     half = 0.5 * max(height, across / aspect) / 0.82
-    for i, (name, direction) in enumerate(VIEWS):
+    for i, (name, direction) in enumerate(views):
         renderer = vtk.vtkRenderer()
-        renderer.SetViewport(right * i / len(VIEWS), bottom, right * (i + 1) / len(VIEWS), top)
+        renderer.SetViewport(right * i / len(views), bottom, right * (i + 1) / len(views), top)
         renderer.SetBackground(1, 1, 1)
         for actor in actors:
             renderer.AddActor(actor)
@@ -221,6 +231,51 @@ def row(window, actors, bounds, bottom, top, right, size):
         camera.SetParallelScale(half)
         renderer.ResetCameraClippingRange()
         window.AddRenderer(renderer)
+
+
+def pressure_row(skin, edge, function, unit, top):
+    over = array_of(skin, "contact_pressure")[0].GetRange()[1]
+    note = f"\nhem up to {over:.3g}" if over > 1.001 * top else ""
+    actors = [coloured(skin, "contact_pressure", function)] + ([edge] if edge else [])
+    return actors, function, f"contact pressure\n{unit}{note}"
+
+
+def tension_row(sheet, skin, edge, function, name):
+    actors = [coloured(sheet, name, function, 40000), edge]
+    if skin:
+        actors.append(plain(skin, (0.88, 0.86, 0.84)))
+    return actors, function, f"tension, {name.split('_')[1]}\nN/m"
+
+
+def carrying(sheet):
+    """The thread system that carries the garment: the one with the larger maximum, and that."""
+    return max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
+
+
+def render(rows, bounds, width, views):
+    """A window with one row a field."""
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    bar = 0.14 if len(views) > 3 else 0.22
+    window.SetSize(width, 2 * int(width * (1 - bar) / len(views) * 1.58 * len(rows) / 2))
+    size = max(10, width // (21 * len(views)))
+    for i, (actors, function, title) in enumerate(rows):
+        bottom, top = 1 - (i + 1) / len(rows), 1 - i / len(rows)
+        row(window, actors, bounds, bottom, top, 1 - bar, size, views)
+        colour_bar(window, function, title, (1 - bar, bottom, 1.0, top), size)
+    window.Render()
+    return window
+
+
+def save(window, out):
+    image = vtk.vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(str(out))
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
 
 
 def main():
@@ -245,43 +300,14 @@ def main():
         unit = arguments.unit or ("Pa" if largest_inside(skin) < 2000 else "kPa")
         scale(skin, "contact_pressure", PASCAL_PER_UNIT[unit])
         top = round_up(max(largest_inside(skin), 1e-3))
-        function = colours(heat, top)
-        over = array_of(skin, "contact_pressure")[0].GetRange()[1]
-        note = f"\nhem up to {over:.3g}" if over > top else ""
-        actors = [coloured(skin, "contact_pressure", function)] + ([edge] if edge else [])
-        rows.append((actors, function, f"contact pressure\n{unit}{note}"))
+        rows.append(pressure_row(skin, edge, colours(heat, top), unit, top))
     if sheet:
-        # The thread system that carries the garment: the one with the larger maximum.
-        top, name = max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
-        function = colours(cool, round_up(max(top, 1e-3)))
-        actors = [coloured(sheet, name, function, 40000), edge]
-        if skin:
-            actors.append(plain(skin, (0.88, 0.86, 0.84)))
-        rows.append((actors, function, f"tension, {name.split('_')[1]}\nN/m"))
-
-    bounds = (skin or sheet).GetBounds()
-    width = arguments.width
-    height = int(width * 0.34 * len(rows))
-    window = vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(width, height)
-    size = max(10, width // 84)
-    for i, (actors, function, title) in enumerate(rows):
-        bottom, top = 1 - (i + 1) / len(rows), 1 - i / len(rows)
-        row(window, actors, bounds, bottom, top, 0.86, size)
-        colour_bar(window, function, title, (0.86, bottom, 1.0, top), size)
-    window.Render()
-
-    image = vtk.vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
+        top, name = carrying(sheet)
+        rows.append(tension_row(sheet, skin, edge, colours(cool, round_up(max(top, 1e-3))), name))
     out = arguments.out or arguments.result / "picture.png"
-    writer = vtk.vtkPNGWriter()
-    writer.SetFileName(str(out))
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+    save(render(rows, (skin or sheet).GetBounds(), arguments.width, VIEWS), out)
     print(out)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "cases/input/csv.hpp"
+#include "postproc/grid.hpp"
 
 namespace snug::postproc::report {
 
@@ -66,10 +67,11 @@ RunFiles read_run(const fs::path& out) {
   run.echo = text_of(out / "case.echo.toml");
   run.comparison = text_of(out / "comparison.txt");
   try {
-    const auto body = last_grid(out, "body.pvd"), garment = last_grid(out, "garment.pvd");
-    if (body && fs::exists(out / "skin.csv")) run.skin = read_skin(*body, out / "skin.csv");
+    const std::vector<GridStep> body = read_series(out / "body.pvd"), garment = read_series(out / "garment.pvd");
+    if (!body.empty() && fs::exists(out / "skin.csv"))
+      run.skin = read_skin(out / body.back().file, out / "skin.csv");
     if (run.skin && run.skin->triangles.empty()) run.skin.reset();
-    if (garment) run.garment = read_garment(*garment);
+    if (!garment.empty()) run.garment = read_garment(out / garment.back().file);
   } catch (const std::runtime_error& error) {
     if (dynamic_cast<const input::InputError*>(&error)) throw;
     throw input::InputError({out.string(), 0, 0}, error.what(), "run the case again");

@@ -35,7 +35,7 @@ namespace {
 std::string dressed(std::string text) {
   const std::size_t first = text[0] == '-' ? 1 : 0;
   for (std::size_t at = std::min(text.find_first_of(".e"), text.size()); at > first + 3;) text.insert(at -= 3, " ");
-  return first == 1 ? "−" + std::string(text, 1) : text;
+  return first == 1 ? fmt::format("−{}", text.substr(1)) : text;
 }
 
 }  // namespace

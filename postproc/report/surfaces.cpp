@@ -9,9 +9,6 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <fstream>
-#include <iterator>
-#include <regex>
 #include <stdexcept>
 
 #include "cases/input/csv.hpp"
@@ -104,17 +101,6 @@ std::vector<Value> chosen(const std::vector<Value>& all, const std::vector<int>&
 }
 
 }  // namespace
-
-std::optional<fs::path> last_grid(const fs::path& directory, const char* series) {
-  std::ifstream in(directory / series);
-  if (!in) return {};
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
-  static const std::regex file("file=\"([^\"]*)\"");
-  std::string last;
-  for (std::sregex_iterator it(text.begin(), text.end(), file), end; it != end; ++it) last = (*it)[1];
-  if (last.empty()) throw std::runtime_error((directory / series).string() + " lists no state");
-  return directory / last;
-}
 
 Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
   const auto grid = read_grid(vtu);

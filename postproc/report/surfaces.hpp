@@ -5,7 +5,6 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +29,6 @@ struct Garment {
   std::vector<Triangle> triangles;
   std::vector<double> tension_warp, tension_weft, wrinkled;  ///< N/m; 0 taut, 1 wrinkled, 2 slack; a triangle
 };
-
-/// The last state of a series (PVD) in `directory`: the file it names. None where there is no series.
-/// Throws std::runtime_error when the series lists nothing.
-std::optional<std::filesystem::path> last_grid(const std::filesystem::path& directory, const char* series);
 
 /// Facets of the body all of whose nodes are rows of skin.csv. Throws std::runtime_error naming the file that cannot
 /// be read, input::InputError for a wrong skin.csv.

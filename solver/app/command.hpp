@@ -41,6 +41,7 @@ std::unique_ptr<Command> make_mesh();
 std::unique_ptr<Command> make_compare();
 std::unique_ptr<Command> make_score();
 std::unique_ptr<Command> make_report();
+std::unique_ptr<Command> make_animate();
 std::unique_ptr<Command> make_study();
 std::unique_ptr<Command> make_convert();
 std::unique_ptr<Command> make_materials();

@@ -19,6 +19,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_compare());
   commands.push_back(make_score());
   commands.push_back(make_report());
+  commands.push_back(make_animate());
   commands.push_back(make_study());
   commands.push_back(make_convert());
   commands.push_back(make_materials());

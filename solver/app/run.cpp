@@ -19,6 +19,7 @@
 #include "solver/app/provenance.hpp"
 #include "solver/app/regression.hpp"
 #include "solver/app/report_files.hpp"
+#include "solver/app/state_files.hpp"
 
 namespace snug::app {
 
@@ -76,6 +77,10 @@ class Run : public Command {
         ->check(CLI::Range(1, 4096));
     app.add_flag("--pictures", pictures_, "also draw the body from four sides for report.html (takes a few seconds)");
     app.add_flag("--no-report", no_report_, "leave report.html out");
+    app.add_option("--states", states_,
+                   "keep the states of the load path, each stage in so many steps at least, for "
+                   "`snug animate` (the path is then walked instead of jumped: slower)")
+        ->check(CLI::Range(1, 1000));
     app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
   }
 
@@ -136,13 +141,15 @@ class Run : public Command {
     if (!session_) session_ = std::make_unique<SolverSession>();
     if (writes_) warn_of_slow_blas();
     say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
-    postproc::RunResult run = solve(prepared);
+    StateFiles states;
+    postproc::RunResult run = solve(prepared, states, out);
     if (!writes_) return run.status == "converged" ? done : not_converged;
     // Nothing converged: the pressures mean nothing, and no rating or comfort is made of them.
     const auto evaluation = run.status == "failed"
                                 ? postproc::Evaluation{}
                                 : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
     write_all(run, evaluation, prepared, out);
+    states.list(out.aside());
     const int regression = run.status == "failed" ? done : regress(references, out);
     if (!no_report_) report(out);
     out.commit();
@@ -176,10 +183,13 @@ class Run : public Command {
     }
   }
 
-  postproc::RunResult solve(const PreparedCase& prepared) const {
+  postproc::RunResult solve(const PreparedCase& prepared, StateFiles& states, OutputDirectory& out) const {
     ProgressLine line(quiet_);
-    postproc::RunResult run = solver::solve(prepared.description, prepared.meshes,
-                                            [&](const solver::Progress& progress) { line.show(progress); });
+    const solver::KeptStates kept{states_, [&](double way, const postproc::RunResult& state) {
+                                    if (writes_) states.write(way, state, out.aside());
+                                  }};
+    postproc::RunResult run = solver::solve(
+        prepared.description, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept);
     run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
     return run;
   }
@@ -193,7 +203,7 @@ class Run : public Command {
   std::vector<std::string> directories_;
   CaseOptions options_;
   std::string out_;
-  int ranks_ = 1;
+  int ranks_ = 1, states_ = 0;
   bool quiet_ = false, pictures_ = false, no_report_ = false;
   bool writes_ = true;   ///< rank 0
   std::string verdict_;  ///< of the last comparison

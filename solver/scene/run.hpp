@@ -62,8 +62,16 @@ struct Progress {
 };
 using Observer = std::function<void(const Progress&)>;
 
+/// States of the load path for those who want to see it; none are kept and nothing is spent on them by default.
+struct KeptStates {
+  int steps = 0;  ///< a stage of the path (tightening, giving way) goes in as many steps at least; 0: keep none
+  /// Called with the way so far (a stage counts 1) and the result there, the placed garment first.
+  std::function<void(double, const postproc::RunResult&)> keep;
+};
+
 /// Solves the scene of the case. Never throws for lack of convergence: the last converged state comes back with its status.
 /// Throws input::InputError when the scene cannot have an equilibrium or names parts that do not fit together.
-postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer = {});
+postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer = {},
+                          const KeptStates& kept = {});
 
 }  // namespace snug::solver

@@ -44,7 +44,7 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
   scene.begin(start);
   result.state = start;
   State before = start;
-  double step = path.first_step, span = 0.0;
+  double step = std::min(path.first_step, path.longest_step), span = 0.0;
   int failures = 0;
   while (result.reached < 1.0) {
     const double t = std::min(1.0, result.reached + step);
@@ -65,7 +65,8 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
       result.reached = t;
       result.increments = increment;
       failures = 0;
-      step *= 1.5;
+      if (path.accepted) path.accepted(scene, result.state, t);
+      step = std::min(1.5 * step, path.longest_step);
       if (t + 1.3 * step > 1.0) step = 1.0 - t;
     } else {
       result.message = to_string(outcome);

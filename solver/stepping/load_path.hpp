@@ -10,7 +10,9 @@ struct PathSettings {
   double intermediate_residual = 1e-3;
   int failures = 8;             ///< halvings in a row before giving up
   double smallest_step = 2e-3;  ///< shorter steps than this are no progress
+  double longest_step = 1.0;
   NewtonSettings newton;        ///< of the final increment
+  std::function<void(const Scene&, const State&, double t)> accepted;  ///< called with every converged state; may be empty
 };
 
 /// What changes along the path: puts the state at t in [0, 1].

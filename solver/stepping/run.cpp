@@ -25,8 +25,8 @@ constexpr double gentle_release = 0.3;
 /// One run: the parts of the flow share the clock, the observer and the result.
 class Run {
  public:
-  Run(const input::Case& description, const Meshes& meshes, const Observer& observer)
-      : case_(description), meshes_(meshes), observer_(observer), start_(Clock::now()) {
+  Run(const input::Case& description, const Meshes& meshes, const Observer& observer, const KeptStates& kept)
+      : case_(description), meshes_(meshes), observer_(observer), kept_(kept), start_(Clock::now()) {
     const Plan parts = plan(description, meshes);
     result_.title = description.title;
     result_.tier = parts.tier;
@@ -94,7 +94,8 @@ class Run {
       row.seconds = seconds();
       result_.history.push_back(row);
       if (observer_)
-        observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, row.seconds, expected_});
+        observer_(
+            {name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, row.seconds, expected_});
     };
   }
 
@@ -127,16 +128,28 @@ class Run {
     PathSettings path;
     path.newton.may_lag = skin == Skin::deformable;
     path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
+    if (kept_.steps > 0) {
+      path.longest_step = 1.0 / kept_.steps;
+      path.accepted = [this](const Scene& scene, const State& state, double t) { keep(scene, state, stages_ + t); };
+    }
     return path;
   }
 
   /// Where friction only sets in on the tightened garment there is nothing to halve. A sleeve that slips off is told from
   /// one that holds after few failures.
-  PathResult with_friction(Scene& scene, const State& at, double from, const IterationSink& rows) const {
-    PathSettings path = settings(Skin::rigid);
+  PathResult with_friction(Scene& scene, const State& at, double from, const IterationSink& rows, PathSettings path) {
     path.first_step = from < 1.0 ? 0.5 : 1.0;
     path.failures = from < 1.0 ? 3 : 0;
     return follow_path(scene, at, tightening(from, 1.0), path, rows);
+  }
+
+  /// Hands a state of the load path to who wants to see it.
+  void keep(const Scene& scene, const State& state, double way) const {
+    if (kept_.steps == 0) return;
+    postproc::RunResult shot;
+    shot.body = body_result(meshes_.body, result_.tier == "L4");
+    fill_result(scene, state, meshes_.body, meshes_.garment, shot);
+    kept_.keep(way, shot);
   }
 
   bool accept(Scene& scene, const PathResult& path, const std::string& name) {
@@ -147,14 +160,16 @@ class Run {
       result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", name, 100.0 * path.reached, path.message);
     phase(name);
     account(scene, name);
+    ++stages_;
     return path.complete;
   }
 
   void one_path(Skin skin, const std::string& name) {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, skin);
     phase("set-up");
-    const auto path = follow_path(scene, placed_state(scene.layout(), meshes_.body, meshes_.garment), tightening(),
-                                  settings(skin), sink(name));
+    const State placed = placed_state(scene.layout(), meshes_.body, meshes_.garment);
+    keep(scene, placed, 0.0);
+    const auto path = follow_path(scene, placed, tightening(), settings(skin), sink(name));
     accept(scene, path, name);
     fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
     phase("results");
@@ -166,6 +181,7 @@ class Run {
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
     phase("set-up");
     State state = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
+    keep(rigid, state, 0.0);
     const auto path = follow_path(rigid, state, tightening(), settings(Skin::rigid), sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
     rigid.drop_matrix();  // the body needs the memory
@@ -183,6 +199,7 @@ class Run {
     phase("set-up");
     std::map<double, State> at;
     State state = placed_state(smooth.layout(), meshes_.body, meshes_.garment);
+    keep(smooth, state, 0.0);
     for (const double to : donning_stops(case_)) {
       const auto path = follow_path(smooth, state, tightening(state.load, to), settings(Skin::rigid), sink("rigid skin"));
       if (!accept(smooth, path, "rigid skin")) {
@@ -192,7 +209,7 @@ class Run {
       at[to] = state = path.state;
     }
     const double from = case_.contact->friction_from;
-    const auto path = with_friction(rigid, at.at(from), from, sink("friction"));
+    const auto path = with_friction(rigid, at.at(from), from, sink("friction"), settings(Skin::rigid));
     const bool complete = accept(rigid, path, "friction");
     if (complete) {
       result_.donning = {donning_row("without friction", 1.0, true, smooth, state, meshes_),
@@ -210,8 +227,10 @@ class Run {
   void add_donning_variations(const std::map<double, State>& at) {
     const std::string name = "spread over donning paths";
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
+    PathSettings aside = settings(Skin::rigid);
+    aside.accepted = nullptr;  // their states are not on the way to the answer
     for (const double from : donning_variations(case_)) {
-      const auto path = with_friction(rigid, at.at(from), from, quiet(donning_name(from)));
+      const auto path = with_friction(rigid, at.at(from), from, quiet(donning_name(from)), aside);
       result_.donning.push_back(donning_row(donning_name(from), from, path.complete, rigid, path.state, meshes_));
     }
     phase(name);
@@ -227,12 +246,13 @@ class Run {
     const double give = softest_shear_modulus() / rigid.measure(on_rigid).reference_pressure;
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
     PathResult released{start, 0.0, false, 0, ""};
-    if (give > 1.0) released = release_at_once(scene, start);
+    if (give > 1.0 && kept_.steps == 0) released = release_at_once(scene, start);
     if (!released.complete)
-      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
-                             sink("body, step by step"));
+      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))),
+                             settings(Skin::deformable), sink("body, step by step"));
     accept(scene, released, "body");
-    if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
+    if (!released.complete &&
+        released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
       fill_result(rigid, on_rigid, meshes_.body, meshes_.garment, result_);
     } else {
@@ -249,7 +269,8 @@ class Run {
       row.increment = 1;
       rows(row);
     };
-    released.complete = newton(scene, released.state, settings(Skin::deformable).newton, in_one_step) == Outcome::converged;
+    released.complete =
+        newton(scene, released.state, settings(Skin::deformable).newton, in_one_step) == Outcome::converged;
     return released;
   }
 
@@ -291,17 +312,19 @@ class Run {
   const input::Case& case_;
   const Meshes& meshes_;
   const Observer& observer_;
+  const KeptStates& kept_;
   Clock::time_point start_;
   double last_phase_ = 0.0, expected_ = 0.0;
-  int increments_before_ = 0;
+  int increments_before_ = 0, stages_ = 0;
   postproc::RunResult result_;
   std::map<std::string, Costs> spent_;  ///< a phase
 };
 
 }  // namespace
 
-postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer) {
-  return Run(description, meshes, observer)();
+postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer,
+                          const KeptStates& kept) {
+  return Run(description, meshes, observer, kept)();
 }
 
 }  // namespace snug::solver

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/cases/program.hpp"
@@ -55,6 +56,26 @@ TEST_F(ReportProgram, RunsAreComparedOnOnePage) {
   EXPECT_EQ(snug("report --compare soft").status, 2);
   EXPECT_EQ(snug("report mine").status, 2);
   EXPECT_EQ(snug("report soft --out here.html").status, 2);
+}
+
+TEST_F(ReportProgram, AFilmIsMadeOfTheStatesOfTheLoadPath) {
+  // --states walks the path and comes to the same answer as the jump; the film has the states and frames between them.
+  // Without --states nothing is kept, and there is no film.
+  ASSERT_EQ(snug("new mine --like thigh-sleeve").status, 0);
+  ASSERT_EQ(snug("run mine --no-report --out jump" + coarse_).status, 0);
+  ASSERT_EQ(snug("run mine --no-report --out walk --states 3" + coarse_).status, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "jump/states"));
+  EXPECT_EQ(snug("animate jump").status, 2);
+  const auto mean = [&](const char* out) {
+    return nlohmann::json::parse(text_of(folder_ / out / "summary.json"))["numbers"]["mean_contact_pressure_Pa"]
+        .get<double>();
+  };
+  EXPECT_NEAR(mean("walk"), mean("jump"), 1e-6 * mean("jump"));
+  const Outcome outcome = snug("animate walk --frames 9");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("9 frames from 4 states"), std::string::npos) << outcome.text;
+  EXPECT_TRUE(fs::exists(folder_ / "walk/animation/skin_0008.vtu"));
+  EXPECT_EQ(snug("animate walk --step 3").status, 2);
 }
 
 }  // namespace
