@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "postproc/report/view.hpp"
 
@@ -10,7 +11,7 @@ namespace snug::postproc::report {
 
 namespace {
 
-constexpr double scale_end = 4.0;  // of ratings and of the comfort score
+constexpr double rating_end = 4.0;
 
 std::string percent(double share) { return fmt::format("{:.1f}", 100.0 * std::clamp(share, 0.0, 1.0)); }
 
@@ -19,6 +20,56 @@ std::string note_of(const Json& row) {
   if (!row.value("significant", true)) note = "the trial found no effect of pressure here; the rating is its mean";
   if (row.value("extrapolated", false)) note += std::string(note.empty() ? "" : "; ") + "outside the trial's pressures";
   return note;
+}
+
+/// Marks of a scale written as "0 comfortable, 2 acceptable, 4 uncomfortable".
+struct Scale {
+  std::vector<std::pair<double, std::string>> marks;
+  double share(double value) const {
+    const double low = marks.front().first, high = marks.back().first;
+    return high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.0;
+  }
+};
+
+Scale scale_of(const Json& comfort) {
+  Scale scale;
+  std::istringstream text(comfort.value("scale", ""));
+  for (std::string mark; std::getline(text, mark, ',');) {
+    std::istringstream one(mark);
+    double value = 0.0;
+    if (one >> value) scale.marks.emplace_back(value, mark.substr(mark.find_first_not_of(' ')));
+  }
+  if (scale.marks.empty()) scale.marks = {{0.0, "0"}, {4.0, "4"}};
+  return scale;
+}
+
+std::string listed(const Json& names) {
+  std::string text;
+  for (const Json& name : names) text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  return text;
+}
+
+Json interval_view(const Json& comfort, const Scale& scale) {
+  const auto it = comfort.find("interval");
+  if (it == comfort.end() || !it->is_object()) return nullptr;
+  const double low = value_at(*it, "low"), high = value_at(*it, "high");
+  if (!std::isfinite(low) || !std::isfinite(high)) return nullptr;
+  return {{"from", fmt::format("{:.2f}", low)},
+          {"to", fmt::format("{:.2f}", high)},
+          {"from_percent", percent(scale.share(low))},
+          {"width_percent", percent(scale.share(high) - scale.share(low))},
+          {"level", fmt::format("{:.0f}", 100.0 * value_at(*it, "level"))},
+          {"without_scatter", listed(it->value("without_scatter", Json::array()))}};
+}
+
+Json thresholds_view(const Json& comfort) {
+  Json rows = Json::array();
+  for (const Json& row : comfort.value("thresholds", Json::array()))
+    rows.push_back({{"set", row.value("set", "")},
+                    {"location", row.value("location", "")},
+                    {"pressure", number(value_at(row, "pressure_Pa"))},
+                    {"verdict", row.value("verdict", "")}});
+  return rows;
 }
 
 Json rules_view(const Json& comfort) {
@@ -61,19 +112,6 @@ Json terms_view(const Json& comfort) {
   return terms;
 }
 
-/// Where the score may lie, as text and as places on the track of the gauge; null when the run did not sample it.
-Json interval_view(const Json& comfort) {
-  const Json interval = comfort.value("interval", Json());
-  if (!interval.is_object()) return nullptr;
-  const double low = value_at(interval, "low"), high = value_at(interval, "high");
-  if (!std::isfinite(low) || !std::isfinite(high)) return nullptr;
-  return {{"from", fmt::format("{:.2f}", low)},
-          {"to", fmt::format("{:.2f}", high)},
-          {"from_percent", percent(low / scale_end)},
-          {"width_percent", percent((high - low) / scale_end)},
-          {"meaning", fmt::format("{:.0f} % of draws about the curves", 100.0 * value_at(interval, "level"))}};
-}
-
 }  // namespace
 
 Json locations_view(const RunFiles& run) {
@@ -92,7 +130,9 @@ Json locations_view(const RunFiles& run) {
     view["rated"] = std::isfinite(rating);
     if (std::isfinite(rating)) {
       view["rating"] = fmt::format("{:.2f}", rating);
-      view["percent"] = percent(rating / scale_end);
+      const double error = value_at(row, "rating_error");
+      view["error"] = std::isfinite(error) ? fmt::format("± {:.2f}", error) : "";
+      view["percent"] = percent(rating / rating_end);
       view["term"] = row.value("term", "");
     }
     rows.push_back(view);
@@ -110,10 +150,25 @@ Json comfort_view(const RunFiles& run) {
     outputs.push_back({{"term", term},
                        {"value", fmt::format("{:.2f}", degree.get<double>())},
                        {"percent", percent(degree.get<double>())}});
-  return {{"score", fmt::format("{:.2f}", score)}, {"percent", percent(score / scale_end)},
-          {"term", comfort.value("term", "")},     {"curves", comfort.value("curves", "")},
-          {"interval", interval_view(comfort)},    {"outputs", outputs},
-          {"terms", terms_view(comfort)},          {"memberships", memberships_view(comfort)},
+  const Scale scale = scale_of(comfort);
+  Json marks = Json::array();
+  for (const auto& [value, name] : scale.marks) marks.push_back({{"name", name}, {"percent", percent(scale.share(value))}});
+  const Json thresholds = thresholds_view(comfort);
+  return {{"score", fmt::format("{:.2f}", score)},
+          {"percent", percent(scale.share(score))},
+          {"scale", comfort.value("scale", "")},
+          {"marks", marks},
+          {"interval", interval_view(comfort, scale)},
+          {"thresholds", thresholds},
+          {"has_thresholds", !thresholds.empty()},
+          {"source", comfort.value("curves_source", "")},
+          {"left_out", listed(comfort.value("left_out", Json::array()))},
+          {"silent", listed(comfort.value("inputs_without_rating", Json::array()))},
+          {"term", comfort.value("term", "")},
+          {"curves", comfort.value("curves", "")},
+          {"outputs", outputs},
+          {"terms", terms_view(comfort)},
+          {"memberships", memberships_view(comfort)},
           {"rules", rules_view(comfort)}};
 }
 

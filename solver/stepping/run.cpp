@@ -94,8 +94,7 @@ class Run {
       row.seconds = seconds();
       result_.history.push_back(row);
       if (observer_)
-        observer_(
-            {name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, row.seconds, expected_});
+        observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, row.seconds, expected_});
     };
   }
 
@@ -248,11 +247,10 @@ class Run {
     PathResult released{start, 0.0, false, 0, ""};
     if (give > 1.0 && kept_.steps == 0) released = release_at_once(scene, start);
     if (!released.complete)
-      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))),
-                             settings(Skin::deformable), sink("body, step by step"));
+      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
+                             sink("body, step by step"));
     accept(scene, released, "body");
-    if (!released.complete &&
-        released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
+    if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
       fill_result(rigid, on_rigid, meshes_.body, meshes_.garment, result_);
     } else {
@@ -269,8 +267,7 @@ class Run {
       row.increment = 1;
       rows(row);
     };
-    released.complete =
-        newton(scene, released.state, settings(Skin::deformable).newton, in_one_step) == Outcome::converged;
+    released.complete = newton(scene, released.state, settings(Skin::deformable).newton, in_one_step) == Outcome::converged;
     return released;
   }
 
