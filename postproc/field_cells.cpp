@@ -78,7 +78,7 @@ void add_components(NodalField& field, vtkPointData& data, const char* name, con
 
 }  // namespace
 
-NodalField read_grid(const std::filesystem::path& vtu) {
+NodalField read_grid(const std::filesystem::path& vtu, std::optional<ShellSurface> surface) {
   const input::Location where{vtu.string(), 0, 0};
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   if (!std::filesystem::is_regular_file(vtu) || !reader->CanReadFile(vtu.c_str()))
@@ -91,9 +91,21 @@ NodalField read_grid(const std::filesystem::path& vtu) {
   field.name = vtu.string();
   field.nodes.resize(grid->cells->GetNumberOfPoints());
   std::iota(field.nodes.begin(), field.nodes.end(), 1);
+  if (vtkDataArray* numbers = grid->cells->GetPointData()->GetArray("node_number"))
+    for (vtkIdType n = 0; n < numbers->GetNumberOfTuples(); ++n) field.nodes[n] = static_cast<int>(numbers->GetComponent(n, 0));
   for (vtkIdType n = 0; n < grid->cells->GetNumberOfPoints(); ++n) field.places.emplace_back(grid->cells->GetPoint(n));
   add_components(field, *grid->cells->GetPointData(), "displacement", {"UX", "UY", "UZ"});
-  add_components(field, *grid->cells->GetPointData(), "cauchy_stress", {"SX", "SY", "SZ", "SXY", "SYZ", "SXZ"});
+  vtkPointData& points = *grid->cells->GetPointData();
+  const bool shell = points.GetArray("stress_top") != nullptr;
+  if (shell && !surface) {
+    add_components(field, points, "stress_top", {"SX TOP", "SY TOP", "SZ TOP", "SXY TOP", "SYZ TOP", "SXZ TOP"});
+    add_components(field, points, "stress_bottom",
+                   {"SX BOTTOM", "SY BOTTOM", "SZ BOTTOM", "SXY BOTTOM", "SYZ BOTTOM", "SXZ BOTTOM"});
+  } else {
+    const bool middle = !shell || surface == ShellSurface::middle;
+    add_components(field, points, middle ? "cauchy_stress" : surface == ShellSurface::top ? "stress_top" : "stress_bottom",
+                   {"SX", "SY", "SZ", "SXY", "SYZ", "SXZ"});
+  }
   if (field.columns.empty())
     throw input::InputError(where, "its points have neither displacement nor cauchy_stress",
                             "name the grid of a body, body_0000.vtu");

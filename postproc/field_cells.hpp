@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,9 @@ class FieldCells {
 };
 
 /// A VTU file as snug writes it: UX UY UZ USUM of `displacement`, SX ... SXZ and S1 ... SEQV of `cauchy_stress`; node
-/// numbers count from 1. Throws input::InputError: no VTU, neither field.
-NodalField read_grid(const std::filesystem::path& vtu);
+/// numbers are `node_number`, or count from 1. Of a shell the stresses of `surface`, or "SX TOP", "SX BOTTOM", ... of both.
+/// Throws input::InputError: no VTU, neither field.
+NodalField read_grid(const std::filesystem::path& vtu, std::optional<ShellSurface> surface = {});
 
 /// The place in `from` nearest to a point, for a field without cells: its nearest nodes, one a point.
 std::vector<CellPlace> nearest_nodes(const NodalField& from, const std::vector<Eigen::Vector3d>& points);

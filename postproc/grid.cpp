@@ -131,10 +131,15 @@ void add_body_cells(vtkUnstructuredGrid& grid, const BodyResult& body) {
   add_names(grid, "layer_names", body.layers);
 }
 
+void add_tensor(vtkFieldData& data, const char* name, const std::vector<Stress>& stress) {
+  if (stress.empty()) return;
+  add_field(data, name, stress.size(), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
+            [&](std::size_t n, int c) { return stress[n][c]; });
+}
+
 void add_stress(vtkFieldData& data, const std::vector<Stress>& stress) {
   if (stress.empty()) return;
-  add_field(data, "cauchy_stress", stress.size(), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
-            [&](std::size_t n, int c) { return stress[n][c]; });
+  add_tensor(data, "cauchy_stress", stress);
   add_field(data, "von_mises", stress.size(), {}, [&](std::size_t n, int) { return von_mises(stress[n]); });
   std::vector<Eigen::Vector3d> principal;
   for (const Stress& s : stress) principal.push_back(principal_stresses(s));
@@ -184,13 +189,16 @@ void write_body(const BodyResult& body, const Evaluation& evaluation, const std:
   set_points(*grid, body.nodes);
   add_body_cells(*grid, body);
   vtkPointData& points = *grid->GetPointData();
-  add_vectors(points, "displacement", body.displacement);
+  if (!body.displacement.empty()) add_vectors(points, "displacement", body.displacement);
+  add_integers(points, "node_number", body.node_numbers);
   add_scalars(points, "contact_pressure", body.contact_pressure);
   add_scalars(points, "coverage", body.coverage);
   add_scalars(points, "laplace_pressure", body.laplace_pressure);
   add_vectors(points, "shear_traction", body.shear_traction);
   add_scalars(points, "slip", body.slip);
   add_stress(points, body.cauchy_stress);
+  add_tensor(points, "stress_top", body.stress_top);
+  add_tensor(points, "stress_bottom", body.stress_bottom);
   add_integers(points, "location", body.node_location);
   add_names(*grid, "location_names", body.locations);
   add_sensation_field(points, body, evaluation);

@@ -35,7 +35,7 @@ void write_extrema(std::ostream& out, const Listing& listing, const char* title,
   for (std::size_t c = 0; c < listing.labels.size(); ++c) {
     const auto best = std::min_element(listing.rows.begin(), listing.rows.end(),
                                        [&](const auto& a, const auto& b) { return before(a[c], b[c]); });
-    nodes += fmt::format("{:>{}}", best - listing.rows.begin() + 1, width);
+    nodes += fmt::format("{:>{}}", listing.node(best - listing.rows.begin()), width);
     values += ansys_number((*best)[c]);
   }
   fmt::print(out, "\n {} VALUES\n NODE    {}\n VALUE   {}\n", title, nodes, values);
@@ -58,6 +58,7 @@ std::string ansys_number(double value) {
 
 Listing displacement_listing(const BodyResult& body) {
   Listing listing;
+  listing.nodes = body.node_numbers;
   listing.heading = nodal_heading("U    NODAL SOLUTION PER NODE", "DEGREE OF FREEDOM",
                                   "THE FOLLOWING DEGREE OF FREEDOM RESULTS ARE IN THE GLOBAL COORDINATE SYSTEM");
   listing.labels = {"UX", "UY", "UZ", "USUM"};
@@ -68,18 +69,30 @@ Listing displacement_listing(const BodyResult& body) {
 
 Listing stress_listing(const BodyResult& body) {
   Listing listing;
+  listing.nodes = body.node_numbers;
   listing.heading =
       nodal_heading("S    NODAL SOLUTION PER NODE", "STRESS", "THE FOLLOWING X,Y,Z VALUES ARE IN GLOBAL COORDINATES");
   listing.labels = {"S1", "S2", "S3", "SINT", "SEQV"};
-  for (const Stress& stress : body.cauchy_stress) {
+  const auto add = [&](const Stress& stress) {
     const Eigen::Vector3d s = principal_stresses(stress);
     listing.rows.push_back({s[0], s[1], s[2], stress_intensity(s), von_mises(stress)});
+  };
+  if (body.stress_top.empty()) {
+    for (const Stress& stress : body.cauchy_stress) add(stress);
+    return listing;
+  }
+  listing.heading.insert(listing.heading.end(), {"  SHELL NODAL RESULTS ARE AT TOP/BOTTOM FOR MATERIAL   1", ""});
+  listing.nodes.clear();
+  for (std::size_t n = 0; n < body.stress_top.size(); ++n) {
+    listing.nodes.insert(listing.nodes.end(), 2, body.node_number(n));
+    add(body.stress_top[n]), add(body.stress_bottom[n]);
   }
   return listing;
 }
 
 Listing node_listing(const BodyResult& body) {
   Listing listing;
+  listing.nodes = body.node_numbers;
   listing.heading = {" LIST ALL SELECTED NODES.   DSYS=      0", ""};
   listing.labels = {"X", "Y", "Z"};
   listing.extrema = Extrema::none;  // NLIST prints none
@@ -94,7 +107,7 @@ void write_listing(std::ostream& out, const Listing& listing) {
   for (const std::string& label : listing.labels) text += fmt::format("{:<{}}", label, width);
   text += '\n';
   for (std::size_t n = 0; n < listing.rows.size(); ++n) {
-    fmt::format_to(std::back_inserter(text), " {:>7} ", n + 1);
+    fmt::format_to(std::back_inserter(text), " {:>7} ", listing.node(n));
     for (double value : listing.rows[n]) text += ansys_number(value);
     text += '\n';
   }

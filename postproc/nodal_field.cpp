@@ -164,7 +164,7 @@ NodalField read_listings(const fs::path& source, const std::vector<fs::path>& fi
 }
 
 NodalField read_directory(const fs::path& directory, const FieldOptions& options) {
-  if (fs::exists(directory / "body_0000.vtu")) return read_grid(directory / "body_0000.vtu");
+  if (fs::exists(directory / "body_0000.vtu")) return read_grid(directory / "body_0000.vtu", options.surface);
   std::vector<fs::path> files;
   for (const char* name : {"displacement.lis", "stress.lis", "nodes.lis"})
     if (fs::exists(directory / name)) files.push_back(directory / name);
@@ -202,11 +202,11 @@ NodalField field_of(const std::vector<ListingTable>& tables, const FieldOptions&
 
 void set_invariants(NodalField& field) {
   const std::size_t count = field.nodes.size();
-  const auto values = [&](const char* label) -> const std::vector<double>* {
+  const auto values = [&](const std::string& label) -> const std::vector<double>* {
     const NodalColumn* column = field.find(label);
     return column ? &column->values : nullptr;
   };
-  const auto set = [&](const char* label, const auto& value) {
+  const auto set = [&](const std::string& label, const auto& value) {
     std::vector<double> all(count);
     for (std::size_t n = 0; n < count; ++n) all[n] = value(n);
     if (auto* column = const_cast<NodalColumn*>(field.find(label)))
@@ -218,24 +218,27 @@ void set_invariants(NodalField& field) {
     set("USUM", [&](std::size_t n) {
       return Eigen::Vector3d((*values("UX"))[n], (*values("UY"))[n], (*values("UZ"))[n]).norm();
     });
-  const std::array<const char*, 6> components = {"SX", "SY", "SZ", "SXY", "SYZ", "SXZ"};
-  if (!std::all_of(components.begin(), components.end(), values)) return;
-  std::vector<Stress> stress(count);
-  for (int c = 0; c < 6; ++c)
-    for (std::size_t n = 0; n < count; ++n) stress[n][c] = (*values(components[c]))[n];
-  std::vector<Eigen::Vector3d> principal(count, Eigen::Vector3d::Constant(no_value));
-  for (std::size_t n = 0; n < count; ++n)
-    if (stress[n].allFinite()) principal[n] = principal_stresses(stress[n]);
-  set("S1", [&](std::size_t n) { return principal[n][0]; });
-  set("S2", [&](std::size_t n) { return principal[n][1]; });
-  set("S3", [&](std::size_t n) { return principal[n][2]; });
-  set("SINT", [&](std::size_t n) { return stress_intensity(principal[n]); });
-  set("SEQV", [&](std::size_t n) { return von_mises(stress[n]); });
+  for (const std::string surface : {"", " TOP", " BOTTOM"}) {
+    std::array<std::string, 6> components = {"SX", "SY", "SZ", "SXY", "SYZ", "SXZ"};
+    for (std::string& component : components) component += surface;
+    if (!std::all_of(components.begin(), components.end(), values)) continue;
+    std::vector<Stress> stress(count);
+    for (int c = 0; c < 6; ++c)
+      for (std::size_t n = 0; n < count; ++n) stress[n][c] = (*values(components[c]))[n];
+    std::vector<Eigen::Vector3d> principal(count, Eigen::Vector3d::Constant(no_value));
+    for (std::size_t n = 0; n < count; ++n)
+      if (stress[n].allFinite()) principal[n] = principal_stresses(stress[n]);
+    set("S1" + surface, [&](std::size_t n) { return principal[n][0]; });
+    set("S2" + surface, [&](std::size_t n) { return principal[n][1]; });
+    set("S3" + surface, [&](std::size_t n) { return principal[n][2]; });
+    set("SINT" + surface, [&](std::size_t n) { return stress_intensity(principal[n]); });
+    set("SEQV" + surface, [&](std::size_t n) { return von_mises(stress[n]); });
+  }
 }
 
 NodalField read_field(const fs::path& source, const FieldOptions& options) {
   NodalField field = fs::is_directory(source)       ? read_directory(source, options)
-                     : source.extension() == ".vtu" ? read_grid(source)
+                     : source.extension() == ".vtu" ? read_grid(source, options.surface)
                                                     : read_listings(source, {source}, options);
   field.name = source.string();
   return field;

@@ -24,6 +24,7 @@ struct ContactSample {
 /// The deformed body with nodal fields. Tensors are symmetric: xx yy zz xy yz xz.
 struct BodyResult {
   std::vector<Eigen::Vector3d> nodes;                 ///< reference positions, m
+  std::vector<int> node_numbers;                      ///< of an imported body; empty: node n has number n + 1
   int cell_nodes = 27, facet_nodes = 9;               ///< 27 and 9, 8 and 4 (hexahedra), 10 and 6 (tetrahedra)
   std::vector<std::array<int, 27>> cells;             ///< in the order of mesh::CellKind; empty for a rigid body
   std::vector<std::array<int, 9>> skin_facets;        ///< in the order of mesh::FacetKind
@@ -33,11 +34,17 @@ struct BodyResult {
   std::vector<int> node_location;                     ///< -1: none
   std::vector<Eigen::Vector3d> displacement;          ///< m
   std::vector<Eigen::Matrix<double, 6, 1>> cauchy_stress;  ///< Pa, nodal averages; empty for a rigid body
+  std::vector<Eigen::Matrix<double, 6, 1>> stress_top, stress_bottom;  ///< of a shell, along its normal and against it;
+                                                      ///< cauchy_stress is then that of its middle
   std::vector<double> contact_pressure;               ///< Pa, nodes off the skin 0
   std::vector<double> coverage;                       ///< 0..1
   std::vector<double> laplace_pressure;               ///< Pa, L0 value where computed; may be empty
   std::vector<Eigen::Vector3d> shear_traction;        ///< Pa, friction of the garment on the skin; empty without friction
   std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips; empty without friction
+
+  int node_number(std::size_t node) const {
+    return node_numbers.empty() ? static_cast<int>(node) + 1 : node_numbers[node];
+  }
 };
 
 struct GarmentResult {

@@ -45,7 +45,7 @@ void write_skin(std::ostream& out, const BodyResult& body) {
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     if (!skin[n]) continue;
     const Eigen::Vector3d &x = body.nodes[n], &u = body.displacement[n];
-    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}", n + 1, x.x(), x.y(), x.z(), u.x(),
+    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}", body.node_number(n), x.x(), x.y(), x.z(), u.x(),
                u.y(), u.z(), body.contact_pressure[n], body.coverage[n]);
     if (friction) {
       const Eigen::Vector3d& t = body.shear_traction[n];

@@ -17,12 +17,15 @@ enum class Extrema { none, range, range_and_absolute };
 struct Listing {
   std::vector<std::string> heading;  ///< lines above the labels
   std::vector<std::string> labels;
-  std::vector<std::vector<double>> rows;  ///< rows[n] belongs to node n + 1
+  std::vector<std::vector<double>> rows;
+  std::vector<int> nodes;  ///< number of each row; empty: rows[n] belongs to node n + 1
   Extrema extrema = Extrema::range;
+
+  int node(std::size_t row) const { return nodes.empty() ? static_cast<int>(row) + 1 : nodes[row]; }
 };
 
 Listing displacement_listing(const BodyResult& body);  ///< UX UY UZ USUM, m
-Listing stress_listing(const BodyResult& body);        ///< S1 S2 S3 SINT SEQV, Pa; nodal averages
+Listing stress_listing(const BodyResult& body);        ///< S1 S2 S3 SINT SEQV, Pa; nodal averages; of a shell top, then bottom of each node
 Listing node_listing(const BodyResult& body);          ///< X Y Z, m, reference positions
 
 /// Fortran G13.5 as Ansys prints it: 0.1 <= |v| < 1e5 fixed with four trailing blanks, otherwise 0.12345E-03. Thirteen

@@ -18,7 +18,8 @@ struct LayerSpec {
   std::string name;
   MaterialReference material;
   std::optional<double> thickness;  ///< m; one solid layer may leave it out and takes the rest
-  std::string form = "solid";       ///< rigid | solid | membrane (skin: membrane by default)
+  std::string form = "solid";       ///< rigid | solid | membrane (skin: membrane by default) | shell
+  double foundation = 0.0;          ///< Pa/m, under a shell
   int cells = 2;                    ///< hexahedra through the layer (solid)
   Location where;
 
@@ -36,9 +37,14 @@ struct LayerSpec {
           self.thickness);
     field(Field{.key = "form",
                 .meaning = "left out: rigid for the material \"rigid\", membrane for an outermost layer with a "
-                           "thickness (skin), solid for the others",
-                .choices = {"rigid", "solid", "membrane"}},
+                           "thickness (skin), solid for the others; shell: surfaces of an imported mesh that stretch and bend",
+                .choices = {"rigid", "solid", "membrane", "shell"}},
           self.form);
+    field(Field{.key = "foundation",
+                .unit = "Pa/m",
+                .meaning = "of a shell: pressure per deflection along its normal that springs under it put up",
+                .bound = non_negative()},
+          self.foundation);
     field(Field{.key = "cells", .meaning = "hexahedra through a solid layer", .bound = between(1, 40)}, self.cells);
   }
 };
@@ -143,6 +149,7 @@ struct BodySpec {
   std::filesystem::path stations;  ///< CSV
   std::filesystem::path mesh;      ///< gmsh file
   double unit = 1.0;               ///< metres per unit of that file
+  double force_unit = 1.0;         ///< N per unit of force of that file
   std::optional<ScanSpec> scan;
   std::vector<LayerSpec> layers;
   std::vector<LocationSpec> locations;
@@ -163,16 +170,25 @@ struct BodySpec {
                            "bone_girth, bone_width_to_depth, bone_x, bone_y"},
           self.stations);
     field(Field{.key = "mesh",
-                .meaning = "gmsh file with hexahedra or tetrahedra, or a geometry (.geo) for gmsh to mesh; its physical volumes are the layers by their names, its "
-                           "physical surfaces, curves and points the named surfaces (\"skin\" is where a garment touches)"},
+                .meaning = "gmsh file (.msh) with hexahedra or tetrahedra, or a geometry (.geo) for gmsh to mesh; its physical "
+                           "volumes are the layers by their names, its physical surfaces, curves and points the named surfaces "
+                           "(\"skin\" is where a garment touches). Or APDL text or CDB (.cdb, .mac, .txt) or CalculiX input "
+                           "(.inp) with its materials, forces, supports and pressures; node sets are the named surfaces"},
           self.mesh);
     field(Field{.key = "unit",
                 .unit = "m",
                 .meaning = "length of one unit of the mesh file, e.g. \"1 mm\"",
                 .bound = positive()},
           self.unit);
+    field(Field{.key = "force_unit",
+                .unit = "N",
+                .meaning = "force of one unit of an APDL or CalculiX file, e.g. \"1 mN\"; its stresses are force_unit/unit^2",
+                .bound = positive()},
+          self.force_unit);
     field(Field{.key = "scan", .meaning = "surface, cut planes and bone of a scan"}, self.scan);
-    field(Field{.key = "layers", .meaning = "the layers from the inside out", .required = true}, self.layers);
+    field(Field{.key = "layers",
+                .meaning = "the layers from the inside out; of an APDL or CalculiX file: other materials for those it names"},
+          self.layers);
     field(Field{.key = "locations", .meaning = "named patches of skin whose pressure is reported"}, self.locations);
     field(Field{.key = "cells_around", .meaning = "hexahedra round the body", .bound = between(8, 720)},
           self.cells_around);

@@ -22,6 +22,20 @@ std::vector<Unavailable> unavailable() {
       {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"}};
 }
 
+void check_shells(const BodySpec& body, Diagnostics& diagnostics) {
+  for (const LayerSpec& layer : body.layers) {
+    if (layer.form == "shell" && body.kind != "imported")
+      diagnostics.error(layer.where, fmt::format("layer \"{}\" is a shell", layer.name),
+                        "shells are surfaces of an imported mesh: kind = \"imported\"");
+    if (layer.form == "shell" && !layer.thickness && body.mesh.extension() == ".msh")
+      diagnostics.error(layer.where, fmt::format("the shell \"{}\" has no thickness", layer.name),
+                        "give it, e.g. thickness = \"2 mm\"");
+    if (layer.form != "shell" && layer.foundation != 0.0)
+      diagnostics.error(layer.where, fmt::format("layer \"{}\" has a foundation and is no shell", layer.name),
+                        "write form = \"shell\" or leave foundation out");
+  }
+}
+
 void check_layer_order(const std::vector<LayerSpec>& layers, Diagnostics& diagnostics) {
   if (layers.front().form == "solid" && layers.front().thickness)
     diagnostics.error(layers.front().where, fmt::format("the innermost layer \"{}\" has a thickness", layers.front().name),
@@ -93,7 +107,7 @@ void check_kind(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   const std::vector<Kind> kinds = {
       {"stations", "stations", "stations", "name the CSV file of the girths: stations = \"body/limb.csv\""},
       {"scan", "scan", "a section [body.scan]", "add [body.scan] with surface, lower, upper and bone"},
-      {"imported", "mesh", "a mesh", "name the gmsh file: mesh = \"body/limb.msh\""}};
+      {"imported", "mesh", "a mesh", "name its file (.msh, .cdb, .inp): mesh = \"body/limb.msh\""}};
   for (const Kind& kind : kinds) {
     if (kind.kind == body.kind && !table.find(kind.key))
       diagnostics.error(body.where, fmt::format("kind = \"{}\" needs {}", body.kind, kind.what), kind.remedy);
@@ -110,6 +124,8 @@ void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagn
     if (layer.form == "solid" && layer.thickness)
       diagnostics.error(layer.where, fmt::format("layer \"{}\" of an imported mesh has a thickness", layer.name),
                         "leave it out: the mesh says where the layer is");
+  if (const std::string ending = body.mesh.extension().string(); ending == ".msh" && table.find("force_unit"))
+    diagnostics.error(table.where_is("force_unit"), "force_unit does not apply to a gmsh file", "leave it out: the file has no forces");
   for (const char* key : {"cells_around", "cells_along", "ends"})
     if (table.find(key))
       diagnostics.error(table.where_is(key), fmt::format("{} does not apply to an imported mesh", key),
@@ -119,10 +135,12 @@ void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagn
 void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
   check_kind(body, table, diagnostics);
   check_names(body, diagnostics);
+  check_shells(body, diagnostics);
   check_locations(body, diagnostics);
-  if (!table.find("layers")) return;  // already reported
+  const bool own_layers = body.kind == "imported" && !table.find("layers");  // the file has them, or its reader says so
+  if (own_layers) return check_imported(body, table, diagnostics);
   if (body.layers.empty())
-    return diagnostics.error(table.where_is("layers"), "the body has no layers",
+    return diagnostics.error(table.find("layers") ? table.where_is("layers") : body.where, "the body has no layers",
                              "list them from the inside out, the bone first");
   if (body.kind == "imported") return check_imported(body, table, diagnostics);
   check_layer_order(body.layers, diagnostics);
@@ -156,7 +174,8 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
           "add [garment] and [contact], or leave [comfort] out");
   if (load && !body) error("load", "there is a [load] but no [body]", "add [body] or leave [load] out");
   if (support && !body) error("support", "there is a [[support]] but no [body]", "add [body] or leave it out");
-  if (body && !garment && !load && !support)
+  const Table* imported = root.table("body");  // a file of another program may bring its loads; without, that is said later
+  if (body && !garment && !load && !support && !(imported && imported->find("mesh")))
     error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
 }
 

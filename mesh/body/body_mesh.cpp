@@ -1,5 +1,7 @@
 #include "mesh/body/body_mesh.hpp"
 
+#include <array>
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <Eigen/LU>
 
@@ -176,7 +178,33 @@ BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   return converted;
 }
 
+namespace {
+
+/// Of the flat triangle of the corners: twice its area over the longest two edges' product, 1 for an equilateral one.
+std::vector<QualityRow> shell_quality(const BodyMesh& mesh) {
+  std::vector<QualityRow> rows;
+  for (const Layer& layer : mesh.layers) rows.push_back({.layer = layer.name, .min_scaled_jacobian = 1.0});
+  for (const ShellTriangle& triangle : mesh.shell) {
+    QualityRow& row = rows[triangle.layer];
+    const auto edge = [&](int a, int b) -> Eigen::Vector3d { return mesh.nodes[triangle.nodes[b]] - mesh.nodes[triangle.nodes[a]]; };
+    const double area = 0.5 * edge(0, 1).cross(edge(0, 2)).norm();
+    std::array<double, 3> length = {edge(0, 1).norm(), edge(1, 2).norm(), edge(2, 0).norm()};
+    std::sort(length.begin(), length.end());
+    const double scaled = 4.0 / std::sqrt(3.0) * area / (length[1] * length[2]);
+    ++row.cells;
+    row.min_scaled_jacobian = std::min(row.min_scaled_jacobian, scaled);
+    row.mean_scaled_jacobian += scaled;
+    row.max_aspect = std::max(row.max_aspect, length[2] / length[0]);
+    row.volume += area * triangle.thickness;
+  }
+  for (QualityRow& row : rows) row.mean_scaled_jacobian /= std::max(row.cells, 1);
+  return rows;
+}
+
+}  // namespace
+
 std::vector<QualityRow> quality(const BodyMesh& mesh) {
+  if (!mesh.shell.empty()) return shell_quality(mesh);
   std::vector<QualityRow> rows;
   for (const Layer& layer : mesh.layers) rows.push_back({.layer = layer.name, .min_scaled_jacobian = 1.0});
   // A regular tetrahedron's edge tangents span a parallelepiped of 1/sqrt(2): scaled to 1.

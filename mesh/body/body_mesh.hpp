@@ -32,6 +32,33 @@ struct Surface {
   std::vector<int> nodes;
 };
 
+/// What the file of an imported body says of single nodes and facets: forces (N), held components with their
+/// displacement (m), pressures (Pa) against the outward normal that follow the surface.
+struct NodalForce {
+  int node = 0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+};
+struct HeldComponent {
+  int node = 0, component = 0;
+  double displacement = 0.0;
+};
+struct FacetPressure {
+  std::vector<FacetNodeNumbers> facets;
+  double value = 0.0;
+};
+
+/// A shell body is made of quadratic triangles, whose normal is that of their tangents along the first two edges.
+struct ShellTriangle {
+  FacetNodeNumbers nodes;  ///< tri6
+  int layer = 0;           ///< index into BodyMesh::layers: its material
+  double thickness = 0.0;  ///< m
+  double foundation = 0.0; ///< Pa/m, pressure per deflection along the reference normal
+};
+/// A node of a shell that may not turn about a coordinate axis.
+struct HeldRotation {
+  int node = 0, component = 0;
+};
+
 /// Nodes are reference positions in the frame of the body (z along the axis, x side, y front), metres.
 struct BodyMesh {
   std::vector<Eigen::Vector3d> nodes;
@@ -47,6 +74,12 @@ struct BodyMesh {
   std::vector<std::string> locations;         ///< names of the skin patches
   std::vector<int> node_location;             ///< per node: index into `locations`, -1 for none and for nodes inside
   double mean_skin_cell = 0.0;                ///< m, mean edge length of the skin facets
+  std::vector<ShellTriangle> shell;           ///< a shell body: then there are no cells, and `kind` is tet10 for its facets
+  std::vector<HeldRotation> held_rotations;   ///< of a shell body
+  std::vector<int> node_numbers;              ///< those of the file of an imported body; empty: node n has number n + 1
+  std::vector<NodalForce> forces;             ///< of the file
+  std::vector<HeldComponent> held;            ///< of the file
+  std::vector<FacetPressure> pressures;       ///< of the file
 
   /// The surface of that name, or null.
   const Surface* surface(const std::string& name) const;

@@ -12,6 +12,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "mesh/body/import_shell.hpp"
 #include "mesh/formats/gmsh_session.hpp"
 
 namespace snug::mesh {
@@ -281,6 +282,10 @@ BodyMesh import_body_mesh(const input::BodySpec& spec) {
                      "save it from gmsh as a .msh file of version 4");
   }
   mesh_geometry(spec);
+  const auto shell = [](const input::LayerSpec& layer) { return layer.form == "shell"; };
+  if (std::any_of(spec.layers.begin(), spec.layers.end(), shell)) return import_shell(spec);
+  if (spec.layers.empty())
+    throw InputError(spec.where, "the body has no layers", "name the physical volumes of " + spec.mesh.string() + " in body.layers");
   return Import(spec).take();
 }
 

@@ -1,15 +1,18 @@
-// snug convert DIR FILE.inp: the body of a case under its load as CalculiX input; SYSTEM FILE.fll or FILE.fis: a fuzzy
-// system.
+// snug convert DIR FILE.inp or FILE.cdb: the body of a case with its supports and loads as CalculiX input or as a CDB
+// file; SYSTEM FILE.fll or FILE.fis: a fuzzy system.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <fstream>
 
 #include "materials/laws/solid_law.hpp"
-#include "mesh/formats/calculix.hpp"
+#include "mesh/body/to_model.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/convert_fuzzy.hpp"
 #include "solver/app/prepared_case.hpp"
+#include "solver/scene/constraints.hpp"
+#include "solver/scene/loads.hpp"
+#include "solver/scene/supports.hpp"
 
 namespace snug::app {
 
@@ -17,48 +20,99 @@ namespace fs = std::filesystem;
 
 namespace {
 
-mesh::NeoHookeConstants constants_of(const mesh::Layer& layer) {
-  const materials::Tissue tissue = materials::find_tissue(layer.material);
-  const auto* law = std::get_if<materials::NeoHooke>(&tissue.law);
-  if (!law || law->volume.form != materials::VolumetricForm::quadratic)
-    throw input::InputError(layer.material.where,
-                            fmt::format("the law of \"{}\" is not that of CalculiX's NEO HOOKE", layer.name),
-                            "write law = \"neo-Hooke\" with volumetric = \"quadratic\"");
-  return {law->shear_modulus, law->volume.bulk_modulus};
-}
+/// Laws that both programs know. Their volumetric energy is kappa/2 (J - 1)^2.
+class LawOf {
+ public:
+  explicit LawOf(const mesh::Layer& layer) : layer_(layer) {}
 
-void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& body) {
+  mesh::ModelMaterial operator()() {
+    const materials::Tissue tissue = materials::find_tissue(layer_.material);
+    mesh::ModelMaterial material{layer_.name, mesh::ModelLaw::none, {}, tissue.density};
+    std::visit([&](const auto& law) { set(law, material); }, tissue.law);
+    return material;
+  }
+
+ private:
+  using Material = mesh::ModelMaterial;
+
+  void volume(const materials::Volumetric& volume, Material& to) const {
+    to.constants.push_back(volume.bulk_modulus);
+    if (volume.form != materials::VolumetricForm::quadratic)
+      fmt::print(stderr,
+                 "note: layer \"{}\" is written with the volumetric energy kappa/2 (J - 1)^2 in place of its own, with the "
+                 "same kappa: neither program has it. volumetric = \"quadratic\" makes both sides the same\n",
+                 layer_.name);
+  }
+  void set(const materials::LinearElastic& law, Material& to) const {
+    to.law = mesh::ModelLaw::elastic, to.constants = {law.youngs_modulus, law.poisson_ratio};
+  }
+  void set(const materials::NeoHooke& law, Material& to) const {
+    to.law = mesh::ModelLaw::neo_hooke, to.constants = {law.shear_modulus};
+    volume(law.volume, to);
+  }
+  void set(const materials::MooneyRivlin& law, Material& to) const {
+    to.law = mesh::ModelLaw::mooney_rivlin, to.constants = {law.C10, law.C01};
+    volume(law.volume, to);
+  }
+  void set(const materials::Ogden& law, Material& to) const {
+    if (law.terms.size() > 3) refuse("has more than three Ogden terms");
+    to.law = mesh::ModelLaw::ogden;
+    for (const materials::OgdenTerm& term : law.terms) to.constants.insert(to.constants.end(), {term.mu, term.alpha});
+    volume(law.volume, to);
+  }
+  template <class Law>
+  void set(const Law&, Material&) const {
+    refuse("has a law that CalculiX and Ansys do not have");
+  }
+  void refuse(const std::string& why) const {
+    throw input::InputError(layer_.material.where, fmt::format("layer \"{}\" {}", layer_.name, why),
+                            "write it as neo-Hooke, Mooney-Rivlin, Ogden or linear-elastic");
+  }
+
+  const mesh::Layer& layer_;
+};
+
+void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& body, bool calculix) {
   const input::Location where{(description.directory / "case.toml").string(), 0, 0};
+  if (!description.body) throw input::InputError(where, "the case has no body", "convert a case with [body]");
   if (description.garment)
-    throw input::InputError(where, "the garment cannot be written as CalculiX input",
+    throw input::InputError(where, "the garment cannot be written: neither program has its rest metric and its contact",
                             "convert a case without [garment], [contact] and [comfort]");
   if (!body.membranes.empty())
-    throw input::InputError(where, "the skin is a membrane, which cannot be written as CalculiX input",
-                            "give the skin form = \"solid\"");
-  if (body.kind != mesh::CellKind::hex27 || body.bone_nodes.empty() || description.body->kind == "imported")
-    throw input::InputError(where, "only a limb of Q2/P1 hexahedra on a rigid bone can be written as CalculiX input",
-                            "leave body.elements out and give the bone material = \"rigid\"");
-  if (!description.support.empty() ||
-      (description.load &&
-       (!description.load->pressure.empty() || !description.load->traction.empty() ||
-        !description.load->force.empty() || description.load->gravity != std::array<double, 3>{0, 0, 0})))
-    throw input::InputError(where, "of the loads only skin_pressure can be written as CalculiX input",
-                            "leave the others and [[support]] out");
-  if (description.body->ends != "sliding")
-    throw input::InputError(where, "the ends are " + description.body->ends, "only ends = \"sliding\" can be written");
+    throw input::InputError(where, "the skin is a membrane, which cannot be written", "give the skin form = \"solid\"");
+  for (const mesh::ShellTriangle& triangle : body.shell)
+    if (calculix && triangle.foundation != 0.0)
+      throw input::InputError(where, "CalculiX has no elastic foundation of shells", "write a CDB file, FILE.cdb");
+}
+
+mesh::BodyLoads loads_of(const input::Case& description, const mesh::BodyMesh& body) {
+  const solver::Layout layout = solver::make_layout(body, {}, true, false);
+  const solver::Supports supports(description, body, layout);
+  solver::State full = solver::placed_state(layout, body, {});
+  full.load = 1.0;
+  const Eigen::VectorXd gap = supports.gap(full);
+  mesh::BodyLoads loads;
+  for (const int entry : supports.entries())
+    loads.held.push_back({entry / 3, entry % 3, gap.size() > 0 ? gap[entry] : 0.0});
+  const input::LoadSpec load = description.load.value_or(input::LoadSpec{});
+  loads.forces = solver::dead_forces(load, body);
+  loads.pressures = solver::surface_pressures(load, body);
+  return loads;
 }
 
 class Convert : public Command {
  public:
   std::string name() const override { return "convert"; }
   std::string summary() const override {
-    return "write the body of a case as CalculiX input, or a fuzzy system as FLL or FIS";
+    return "write the body of a case with its loads as CalculiX input or as a CDB file, or a fuzzy system as FLL or FIS";
   }
 
   void declare(CLI::App& app) override {
     app.add_option("DIR", directory_, "case directory, or a fuzzy system: a shipped name or a .fll or .fis file")
         ->required();
-    app.add_option("FILE", file_, "where the result goes, FILE.inp, FILE.fll or FILE.fis")->required();
+    app.add_option("FILE", file_,
+                   "where the result goes: FILE.inp for CalculiX and Abaqus, FILE.cdb for Ansys, FILE.fll or FILE.fis")
+        ->required();
     options_.declare(app);
   }
 
@@ -67,14 +121,18 @@ class Convert : public Command {
       convert_fuzzy(directory_, file_);
       return done;
     }
+    const std::string ending = fs::path(file_).extension().string();
+    if (ending != ".inp" && ending != ".cdb")
+      throw input::InputError({file_, 0, 0}, "the name does not say in which format", "end it in .inp (CalculiX), .cdb (Ansys), .fll or .fis");
     const PreparedCase prepared = prepare(directory_, options_);
     const mesh::BodyMesh& body = prepared.meshes.body;
-    refuse_what_is_lost(prepared.description, body);
-    std::vector<mesh::NeoHookeConstants> materials;
-    for (const mesh::Layer& layer : body.layers) materials.push_back(constants_of(layer));
+    refuse_what_is_lost(prepared.description, body, ending == ".inp");
+    std::vector<mesh::ModelMaterial> materials;
+    for (const mesh::Layer& layer : body.layers) materials.push_back(LawOf(layer)());
+    const mesh::Model model = model_of(body, materials, loads_of(prepared.description, body));
     const fs::path aside = file_ + ".part";
     std::ofstream out(aside);
-    write_calculix(out, body, materials, prepared.description.load ? prepared.description.load->skin_pressure : 0.0);
+    ending == ".inp" ? write_calculix(out, model) : write_cdb(out, model);
     out.close();
     if (!out)
       throw input::InputError({file_, 0, 0}, "the file cannot be written", "name a place that can be written to");

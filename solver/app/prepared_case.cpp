@@ -1,9 +1,11 @@
 #include "solver/app/prepared_case.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
+#include "mesh/body/foreign.hpp"
 #include "mesh/body/import.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
@@ -58,11 +60,26 @@ mesh::Limb limb_below(const input::GarmentSpec& garment, const mesh::BodyMesh& b
                               garment.where);
 }
 
+/// An imported body may bring its loads along; a case without any would only say so after the solve.
+void check_that_something_acts(const input::Case& description, const mesh::BodyMesh& body) {
+  const auto moves = [](const mesh::HeldComponent& held) { return held.displacement != 0.0; };
+  if (description.garment && !body.shell.empty())
+    throw input::InputError(description.garment->where, "a garment on a shell body is not available yet",
+                            "give the body as solids, or leave [garment], [contact] and [comfort] out");
+  if (description.garment || description.load || !description.support.empty() || !body.forces.empty() || !body.pressures.empty() ||
+      std::any_of(body.held.begin(), body.held.end(), moves))
+    return;
+  throw input::InputError(description.body->where, "nothing acts on the body",
+                          "add [load] or a [[support]] that moves, or forces in " + description.body->mesh.string());
+}
+
 solver::Meshes make_meshes(const input::Case& description) {
   solver::Meshes meshes;
   if (!description.body) return meshes;
   if (description.body->kind == "imported") {
-    meshes.body = mesh::import_body_mesh(*description.body);
+    const bool model = mesh::is_model_file(description.body->mesh);
+    meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body);
+    check_that_something_acts(description, meshes.body);
     if (description.garment) meshes.limb = limb_below(*description.garment, meshes.body);
   } else {
     meshes.limb = mesh::make_limb(*description.body);

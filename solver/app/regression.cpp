@@ -52,6 +52,7 @@ std::vector<ReferenceTable> read_references(const input::Case& description) {
     ReferenceTable& table = tables.emplace_back();
     table.quantity = name;
     table.field = postproc::read_field(file, reading);
+    table.surface = reading.surface;
     table.options.matching = matching_called(spec.match);
     table.options.columns = labels_of(table.field, quantity, file);
     return table;
@@ -70,10 +71,10 @@ std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>
                                                const fs::path& shown_as) {
   std::vector<postproc::Comparison> comparisons;
   if (references.empty()) return comparisons;
-  postproc::NodalField result = postproc::read_field(folder);
-  result.name = shown_as.string();
   std::ofstream text(folder / "comparison.txt");
   for (const ReferenceTable& reference : references) {
+    postproc::NodalField result = postproc::read_field(folder, {.surface = reference.surface, .nodes = {}});
+    result.name = shown_as.string();
     const postproc::Comparison& comparison =
         comparisons.emplace_back(postproc::compare(result, reference.field, reference.options));
     text << postproc::comparison_text(comparison) << '\n';

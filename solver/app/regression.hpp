@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "cases/input/case.hpp"
@@ -13,6 +14,7 @@ namespace snug::app {
 struct ReferenceTable {
   std::string quantity;  ///< "displacement", "stress"
   postproc::NodalField field;
+  std::optional<postproc::ShellSurface> surface;  ///< of shells, that the result is taken from too
   postproc::ComparisonOptions options;
 };
 

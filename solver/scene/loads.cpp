@@ -41,20 +41,36 @@ void add_force(const input::Force& force, const mesh::BodyMesh& body, NodalForce
 
 }  // namespace
 
-void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {
-  if (load.skin_pressure != 0.0)
-    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, "skin", body.skin_facets, load.skin_pressure));
-  for (const auto& p : load.pressure)
-    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, p.on, facets_of(body, p.on, p.where), p.value));
+NodalForces dead_forces(const input::LoadSpec& load, const mesh::BodyMesh& body) {
   NodalForces forces(body.nodes.size(), Eigen::Vector3d::Zero());
+  for (const mesh::NodalForce& force : body.forces) forces[force.node] += force.force;
   for (const auto& t : load.traction) add_traction(body, facets_of(body, t.on, t.where), vector(t.value), forces);
   for (const auto& f : load.force) add_force(f, body, forces);
   if (const Eigen::Vector3d gravity = vector(load.gravity); !gravity.isZero(0.0)) {
+    if (!body.shell.empty())
+      throw input::InputError({}, "gravity does not act on a shell body", "give its weight as [[load.traction]]");
     std::vector<double> density;
     for (const auto& layer : body.layers) density.push_back(materials::find_tissue(layer.material).density);
     add_weight(body, density, gravity, forces);
   }
-  auto dead = std::make_unique<DeadLoad>(scene.layout(), forces);
+  return forces;
+}
+
+std::vector<mesh::FacetPressure> surface_pressures(const input::LoadSpec& load, const mesh::BodyMesh& body) {
+  std::vector<mesh::FacetPressure> pressures = body.pressures;
+  if (load.skin_pressure != 0.0) pressures.push_back({body.skin_facets, load.skin_pressure});
+  for (const auto& p : load.pressure) pressures.push_back({facets_of(body, p.on, p.where), p.value});
+  return pressures;
+}
+
+void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {
+  for (const mesh::FacetPressure& p : body.pressures)
+    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, "faces of the file", p.facets, p.value));
+  if (load.skin_pressure != 0.0)
+    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, "skin", body.skin_facets, load.skin_pressure));
+  for (const auto& p : load.pressure)
+    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, p.on, facets_of(body, p.on, p.where), p.value));
+  auto dead = std::make_unique<DeadLoad>(scene.layout(), dead_forces(load, body));
   if (dead->entries().elements() > 0) scene.add(std::move(dead));
 }
 

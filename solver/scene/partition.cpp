@@ -20,6 +20,7 @@ std::vector<int> share_out(const Elements& elements, int nodes, int ranks) {
   std::vector<std::vector<int>> at(nodes);
   for (std::size_t e = 0; e < elements.size(); ++e)
     for (const int node : elements[e]) at[node].push_back(static_cast<int>(e));
+  if (elements.empty()) return {};
   dealii::DynamicSparsityPattern pairs(elements.size(), elements.size());
   for (const auto& around : at)
     for (const int e : around)
@@ -80,12 +81,17 @@ std::vector<int> entry_owners(const Layout& layout, const mesh::BodyMesh& body, 
   std::vector<int> body_owner(layout.body_nodes, ranks - 1), garment_owner(layout.garment_nodes, ranks - 1);
   std::vector<int> triangle_rank;
   if (layout.body_nodes > 0) {
+    if (!body.shell.empty()) {
+      std::vector<std::array<int, 6>> shell(body.shell.size());
+      for (std::size_t t = 0; t < shell.size(); ++t) std::copy_n(body.shell[t].nodes.begin(), 6, shell[t].begin());
+      lowest(shell, share_out(shell, layout.body_nodes, ranks), body_owner);
+    }
     const std::vector<int> cell_rank = share_out(body.cells, layout.body_nodes, ranks);
     lowest(body.cells, cell_rank, body_owner);
     std::vector<int> pressure_owner(layout.pressures, ranks - 1);
     lowest(pressure_unknowns(body).of_cell, cell_rank, pressure_owner);
     for (int i = 0; i < layout.pressures; ++i) owner[layout.pressure(i)] = pressure_owner[i];
-    triangle_rank = triangle_ranks_by_facet(body, garment, facet_ranks(body, cell_rank));
+    if (!garment.triangles.empty()) triangle_rank = triangle_ranks_by_facet(body, garment, facet_ranks(body, cell_rank));
   } else {
     triangle_rank = share_out(triangles, layout.garment_nodes, ranks);
   }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
@@ -33,12 +34,28 @@ void count_unknowns(const input::Case& description, const Meshes& meshes, bool d
   put("contact", layout.multiplier(0), layout.size());
 }
 
+void list_shell(const mesh::BodyMesh& body, Plan& plan) {
+  for (std::size_t l = 0; l < body.layers.size(); ++l) {
+    std::size_t count = 0;
+    double low = std::numeric_limits<double>::infinity(), high = 0.0, foundation = 0.0;
+    for (const mesh::ShellTriangle& t : body.shell) {
+      if (t.layer != static_cast<int>(l)) continue;
+      ++count, low = std::min(low, t.thickness), high = std::max(high, t.thickness), foundation = std::max(foundation, t.foundation);
+    }
+    if (count == 0) continue;
+    plan.parts_in.push_back(fmt::format("{}: elastic shell that stretches and bends, {} mm, {} quadratic triangles{}", body.layers[l].name,
+                                        low == high ? fmt::format("{:.4g}", 1e3 * low) : fmt::format("{:.4g} to {:.4g}", 1e3 * low, 1e3 * high),
+                                        count, foundation > 0.0 ? fmt::format(", on springs of {:.4g} Pa/m", foundation) : ""));
+  }
+}
+
 void list_body(const input::Case& description, const Meshes& meshes, Plan& plan) {
   if (plan.tier != "L4") {
     plan.parts_in.push_back(fmt::format("skin: rigid, {} biquadratic facets", meshes.body.skin_facets.size()));
     plan.parts_out.push_back("tissue: tier " + plan.tier + " takes the skin as rigid");
     return;
   }
+  if (!meshes.body.shell.empty()) return list_shell(meshes.body, plan);
   for (std::size_t l = 0; l < meshes.body.layers.size(); ++l) {
     const auto cells = std::count(meshes.body.cell_layer.begin(), meshes.body.cell_layer.end(), static_cast<int>(l));
     plan.parts_in.push_back(fmt::format("{}: {}, {} {}", meshes.body.layers[l].name,
@@ -77,9 +94,16 @@ void list_garment(const input::Case& description, const Meshes& meshes, Plan& pl
   plan.parts_out.push_back("bending: not in the case");
 }
 
-void list_loads(const input::Case& description, Plan& plan) {
+void list_file_loads(const mesh::BodyMesh& body, Plan& plan) {
+  if (!body.forces.empty()) plan.parts_in.push_back(fmt::format("load: forces of the file at {} nodes", body.forces.size()));
+  if (!body.pressures.empty()) plan.parts_in.push_back("load: pressures of the file, following the surface");
+  if (!body.held.empty()) plan.parts_in.push_back(fmt::format("support: {} components of nodes held by the file", body.held.size()));
+}
+
+void list_loads(const input::Case& description, const Meshes& meshes, Plan& plan) {
+  const bool of_file = !meshes.body.forces.empty() || !meshes.body.pressures.empty();
   if (!description.load || description.load->empty()) {
-    plan.parts_out.push_back("load: no [load] in the case");
+    if (!of_file) plan.parts_out.push_back("load: no [load] in the case");
   } else {
     const input::LoadSpec& load = *description.load;
     if (load.skin_pressure != 0.0) plan.parts_in.push_back("load: follower pressure on the skin");
@@ -88,6 +112,7 @@ void list_loads(const input::Case& description, Plan& plan) {
     for (const auto& f : load.force) plan.parts_in.push_back(fmt::format("load: dead force on {}", f.at ? "a point" : f.on));
     if (load.gravity != std::array<double, 3>{0, 0, 0}) plan.parts_in.push_back("load: weight");
   }
+  list_file_loads(meshes.body, plan);
   for (const auto& support : description.support) plan.parts_in.push_back(fmt::format("support: {}", support.on));
 }
 
@@ -106,7 +131,7 @@ Plan plan(const input::Case& description, const Meshes& meshes) {
   plan.tier = description.solver.tier;
   list_body(description, meshes, plan);
   list_garment(description, meshes, plan);
-  if (plan.tier == "L4") list_loads(description, plan);
+  if (plan.tier == "L4") list_loads(description, meshes, plan);
   if (!description.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
   if (plan.tier != "L0") count_unknowns(description, meshes, plan.tier == "L4", plan);
   estimate(plan);

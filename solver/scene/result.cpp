@@ -6,12 +6,14 @@
 #include "postproc/skin_pressure.hpp"
 #include "solver/scene/friction_result.hpp"
 #include "solver/terms/facet_kind.hpp"
+#include "solver/terms/shell.hpp"
 
 namespace snug::solver {
 
 postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
   postproc::BodyResult result;
   result.nodes = mesh.nodes;
+  result.node_numbers = mesh.node_numbers;
   if (cells) result.cells = mesh.cells, result.cell_layer = mesh.cell_layer;
   result.cell_nodes = node_count(mesh.kind), result.facet_nodes = node_count(facet_kind(mesh.kind));
   result.skin_facets = mesh.skin_facets;
@@ -38,6 +40,20 @@ void fill_stress(const Tissue& tissue, const State& state, postproc::BodyResult&
   }
   for (std::size_t node = 0; node < count.size(); ++node)
     if (count[node] > 0) body.cauchy_stress[node] /= count[node];
+}
+
+/// Averages over the triangles of a node, of the top, the middle and the bottom.
+void fill_shell_stress(const Shell& shell, const mesh::BodyMesh& mesh, const State& state, postproc::BodyResult& body) {
+  std::vector<double> count(body.nodes.size(), 0.0);
+  for (const mesh::ShellTriangle& triangle : mesh.shell)
+    for (int a = 0; a < 6; ++a) count[triangle.nodes[a]] += 1.0;
+  for (const auto& [height, stress] : {std::pair{1.0, &body.stress_top}, {0.0, &body.cauchy_stress}, {-1.0, &body.stress_bottom}}) {
+    stress->assign(body.nodes.size(), Eigen::Matrix<double, 6, 1>::Zero());
+    for (int t = 0; t < shell.triangles(); ++t) {
+      const auto nodal = shell.nodal_stress(state, t, height);
+      for (int a = 0; a < 6; ++a) (*stress)[mesh.shell[t].nodes[a]] += nodal.col(a) / count[mesh.shell[t].nodes[a]];
+    }
+  }
 }
 
 void fill_garment(const FabricMembrane& fabric, const Layout& layout, const State& state, const mesh::GarmentMesh& mesh,
@@ -142,6 +158,19 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::BodyMesh
     support(name + " edge", nodes, [&](int node, int c) { return layout.garment(node, c); });
 }
 
+// The springs under a shell are a support, too.
+void fill_foundation(const Shell& shell, const State& state, const Layout& layout, postproc::Balance& balance) {
+  const std::vector<Eigen::Vector3d> forces = shell.foundation_forces(state);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double total = 0.0;
+  for (std::size_t node = 0; node < forces.size(); ++node) {
+    sum += forces[node], total += forces[node].norm();
+    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout.body(static_cast<int>(node)))).cross(forces[node]);
+  }
+  balance.force_error += sum;
+  if (total > 0.0) balance.reactions["foundation"] = sum;
+}
+
 // Mean over the touched skin and over the whole skin; radial means the skin's own reference normal.
 void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunResult& result) {
   double force = 0.0, area = 0.0;
@@ -181,6 +210,7 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
   for (int node = 0; node < layout.body_nodes; ++node)
     result.body.displacement[node] = state.values.segment<3>(layout.body(node)) - body.nodes[node];
   if (const auto* tissue = scene.find<Tissue>()) fill_stress(*tissue, state, result.body);
+  if (const auto* shell = scene.find<Shell>()) fill_shell_stress(*shell, body, state, result.body);
   const auto* fabric = scene.find<FabricMembrane>();
   if (fabric) fill_garment(*fabric, layout, state, garment, result.garment);
   if (const auto* contact = scene.find<Contact>()) {
@@ -195,6 +225,7 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
     fill_friction(scene, state, garment, pressure, result);
   }
   fill_reactions(scene, state, body, garment, result.balance);
+  if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, layout, result.balance);
   result.max_penetration = scene.measure(state).penetration;
   fill_numbers(scene, body, result);
 }

@@ -5,6 +5,7 @@
 #include "materials/laws/skin_membrane.hpp"
 #include "solver/algebra/communicator.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
 
 namespace snug::solver {
@@ -234,7 +235,20 @@ double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMes
   return local;
 }
 
+ShellElasticity shell_elasticity(const mesh::Layer& layer) {
+  const materials::SolidLaw law = materials::find_tissue(layer.material).law;
+  if (const auto* elastic = std::get_if<materials::LinearElastic>(&law)) return {elastic->youngs_modulus, elastic->poisson_ratio};
+  throw input::InputError(layer.material.where, "the law of the shell \"" + layer.name + "\" is not linear",
+                          "write law = \"linear-elastic\" with youngs_modulus and poisson_ratio");
+}
+
 void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene& scene) {
+  if (!body.shell.empty()) {
+    std::vector<ShellElasticity> elasticity;
+    for (const auto& layer : body.layers) elasticity.push_back(shell_elasticity(layer));
+    scene.add(std::make_unique<Shell>(scene.layout(), body, std::move(elasticity), description.body->where));
+    return add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
+  }
   std::vector<materials::SolidLaw> laws;
   for (const auto& layer : body.layers) laws.push_back(materials::find_tissue(layer.material).law);
   scene.add(std::make_unique<Tissue>(scene.layout(), body, std::move(laws)));
@@ -242,7 +256,7 @@ void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene&
     scene.add(std::make_unique<SkinMembraneTerm>(
         scene.layout(), body,
         materials::SkinMembrane{materials::find_membrane_tissue(membrane.material).law, membrane.thickness}));
-  if (description.load) add_loads(*description.load, body, scene);
+  add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace snug::solver {
 
 const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where) {
@@ -28,7 +30,23 @@ Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, c
   for (const char* name : {"lower", "upper"})
     if (const auto* cut = body.surface(name); cut && description.body->kind != "imported" && ends != "free")
       fix(std::string(name) + " cut", cut->nodes, ends == "fixed" ? 0 : 2);
+  hold(body.held);
   for (const auto& spec : description.support) hold(body, spec);
+}
+
+void Supports::hold(const std::vector<mesh::HeldComponent>& held) {
+  std::vector<int> nodes;
+  for (const mesh::HeldComponent& one : held) {
+    ++prescribed_[layout_.body(one.node, one.component)];
+    nodes.push_back(one.node);
+    if (one.displacement == 0.0) continue;
+    Moving moving{{one.node}, one.displacement * Eigen::Vector3d::Unit(one.component), 0.0, Eigen::Vector2d::Zero(), {}};
+    moving.held[one.component] = true;
+    moving_.push_back(std::move(moving));
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  if (!nodes.empty()) nodes_.emplace_back("supports of the file", nodes);
 }
 
 void Supports::hold(const mesh::BodyMesh& body, const input::SupportSpec& spec) {

@@ -37,6 +37,7 @@ class Supports {
     Eigen::Vector2d middle;
     std::array<bool, 3> held;
   };
+  void hold(const std::vector<mesh::HeldComponent>& held);
   void hold(const mesh::BodyMesh& body, const input::SupportSpec& spec);
 
   Layout layout_;

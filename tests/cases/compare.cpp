@@ -104,5 +104,32 @@ TEST_F(CompareProgram, AnotherMeshOfTheBodyIsComparedByCoordinates) {
   EXPECT_NE(text_of("mine/out/comparison.txt").find("interpolated in the cells of the result"), std::string::npos);
 }
 
+TEST_F(CompareProgram, AShellIsComparedAtItsTop) {
+  // A shell's listing has top and bottom of each node; [reference] picks the surface, and numbers of the file match nodes.
+  ASSERT_EQ(snug("new mine --like shell-body").status, 0);
+  ASSERT_EQ(snug("run mine --quiet --out first").status, 0);
+  fs::create_directories(folder_ / "mine/reference");
+  fs::copy_file(folder_ / "first/stress.lis", folder_ / "mine/reference/stress.lis");
+  const std::string plain = text_of("mine/case.toml");
+  const auto reference = [&](const std::string& surface) {
+    write("mine/case.toml", plain + "\n[reference]\nstress = { file = \"reference/stress.lis\", relative = 5e-5" + surface + " }\n");
+    return snug("run mine --quiet").status;
+  };
+  EXPECT_EQ(reference(""), 0);
+  EXPECT_EQ(reference(", surface = \"top\""), 0);
+  EXPECT_EQ(snug("compare first first/stress.lis --surface bottom").status, 0);
+  EXPECT_EQ(snug("compare first first/stress.lis --surface middle").status, 2);  // the listing has none
+}
+
+TEST_F(CompareProgram, ABodyWithoutAnyLoadIsRefusedBeforeTheSolve) {
+  ASSERT_EQ(snug("new mine --like shell-body").status, 0);
+  std::string text = text_of("mine/body/torso.txt");
+  for (std::size_t at; (at = text.find("fk,")) != std::string::npos;) text.erase(at, text.find('\n', at) - at);
+  write("mine/body/torso.txt", text);
+  const Outcome check = snug("check mine");
+  EXPECT_EQ(check.status, 2);
+  EXPECT_TRUE(holds(check, "nothing acts on the body")) << check.text;
+}
+
 }  // namespace
 }  // namespace snug

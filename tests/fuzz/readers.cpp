@@ -18,6 +18,7 @@
 
 #include "cases/input/csv.hpp"
 #include "cases/input/table.hpp"
+#include "mesh/body/foreign.hpp"
 #include "mesh/formats/triangle_surface.hpp"
 #include "postproc/listing_reader.hpp"
 #include "postproc/nodal_field.hpp"
@@ -47,7 +48,7 @@ std::string text_of(const fs::path& file) {
 }
 
 std::vector<Target> targets() {
-  const fs::path source = SNUG_SOURCE_DIR, listings = source / "tests/data/listings";
+  const fs::path source = SNUG_SOURCE_DIR, listings = source / "tests/data/listings", models = source / "tests/data/models";
   const auto listing = [](const fs::path&, const std::string& text) {
     input::Diagnostics diagnostics;
     const auto tables = postproc::parse_listing(text, "fuzz", diagnostics);
@@ -85,7 +86,28 @@ std::vector<Target> targets() {
       postproc::infer(system, std::vector<double>(system.inputs.size(), 1.0));
     };
   };
+  // A model that is read whole must also become a body, or be refused.
+  const auto model_by = [](auto parse) {
+    return [parse](const fs::path&, const std::string& text) {
+      input::Diagnostics diagnostics;
+      const mesh::Model model = parse(text, "fuzz", diagnostics);
+      diagnostics.throw_if_any();
+      input::BodySpec spec;
+      spec.kind = "imported", spec.mesh = "fuzz";
+      mesh::body_of(model, spec);
+    };
+  };
   return {
+      {"apdl",
+       model_by(mesh::parse_apdl),
+       {text_of(models / "double_pyramid.txt"), text_of(models / "block.cdb")},
+       {"NBLOCK,6,SOLID\n", "EBLOCK,19,SOLID\n", "CMBLOCK,A,NODE,3\n(8i10)\n", "RLBLOCK,1,1,6,7\n", "(3i9,6e21.13e3)\n", "esize,,3\n",
+        "d,all,all\n", "nsel,s,loc,x,0,1\n", "$", "!", ",", "\n", "-1\n", "99999999", "e,1,2,3,4\n", "a,1,2,3\n", "1e999"}},
+      {"inp",
+       model_by(mesh::parse_calculix),
+       {text_of(models / "cube.inp")},
+       {"*ELEMENT, TYPE=S6, ELSET=E\n", "*NSET, NSET=N, GENERATE\n", "*SHELL SECTION, ELSET=E, MATERIAL=M\n", "*", "**", ",", "\n", "=",
+        "99999999", "1e999", "*DLOAD\n", "*ELASTIC\n", "*HYPERELASTIC, OGDEN, N=3\n"}},
       {"listing",
        listing,
        {text_of(listings / "shell_displacement.lis"), text_of(listings / "shell_stress.lis"),
@@ -222,7 +244,7 @@ int fuzz(double seconds, unsigned seed, const std::string& only) {
 
 int main(int argc, char** argv) {
   if (argc < 2 || std::atof(argv[1]) <= 0.0) {
-    fmt::print(stderr, "usage: snug_fuzz SECONDS [SEED [READER]]     readers: listing csv toml surface\n");
+    fmt::print(stderr, "usage: snug_fuzz SECONDS [SEED [READER]]     readers: apdl inp listing csv toml surface\n");
     return 2;
   }
   return snug::fuzz(std::atof(argv[1]), argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1,

@@ -123,5 +123,38 @@ TEST(Import, AnInvertedCellIsNamedWithNumberLayerAndPlace) {
   }
 }
 
+TEST(Import, PhysicalSurfacesBecomeAShell) {
+  // A panel of 2 x 1 mm in quadrilaterals or triangles: its area times the thickness, its edge as a named curve.
+  for (const bool quadrilaterals : {false, true}) {
+    File file{std::filesystem::temp_directory_path() / ("snug-import-shell-" + std::to_string(::getpid()) + ".msh")};
+    {
+      const GmshSession session;
+      gmsh::model::occ::addRectangle(0, 0, 0, 2, 1);
+      gmsh::model::occ::synchronize();
+      gmsh::model::setPhysicalName(2, gmsh::model::addPhysicalGroup(2, {1}), "panel");
+      gmsh::model::setPhysicalName(1, gmsh::model::addPhysicalGroup(1, {4}), "left");
+      gmsh::option::setNumber("Mesh.MeshSizeMin", 0.5), gmsh::option::setNumber("Mesh.MeshSizeMax", 0.5);
+      gmsh::model::mesh::setTransfiniteAutomatic();
+      if (quadrilaterals) gmsh::model::mesh::setRecombine(2, 1);
+      gmsh::model::mesh::generate(2);
+      gmsh::write(file.path.string());
+    }
+    input::BodySpec spec;
+    spec.kind = "imported", spec.mesh = file.path, spec.unit = 1e-3;
+    input::LayerSpec& panel = spec.layers.emplace_back();
+    panel.name = "panel", panel.form = "shell", panel.thickness = 2e-4, panel.foundation = 5e6;
+    const BodyMesh body = import_body_mesh(spec);
+    EXPECT_TRUE(body.cells.empty());
+    EXPECT_NEAR(quality(body)[0].volume, 2e-6 * 2e-4, 1e-18);
+    EXPECT_NEAR(body.shell[0].foundation, 5e6, 1e-3);
+    ASSERT_TRUE(body.surface("left"));
+    const std::vector<int>& left = body.surface("left")->nodes;
+    EXPECT_EQ(left.size() % 2, 1u);  // nodes and the middles between them
+    for (const int node : left) EXPECT_EQ(body.nodes[node].x(), 0.0);
+    panel.name = "pannel";
+    EXPECT_THROW(import_body_mesh(spec), input::InputError);
+  }
+}
+
 }  // namespace
 }  // namespace snug::mesh

@@ -1,0 +1,19 @@
+// A body from the model of another program.
+#pragma once
+
+#include "mesh/body/body_mesh.hpp"
+#include "mesh/formats/model.hpp"
+
+namespace snug::mesh {
+
+/// Makes the body that `spec.mesh` (APDL text, CDB or CalculiX input) describes, in SI with spec.unit and
+/// spec.force_unit. Materials are the layers, with their own laws unless spec.layers names others; node sets are the named
+/// surfaces; forces, supports and pressures come along. Hexahedra of 8 and 20 nodes become 27-node ones (Q1/P0 where the
+/// case asks for it), tetrahedra quadratic ones; nodes that are added are held where all those they lie between are.
+/// Throws input::InputError with file and line of what cannot be taken over.
+BodyMesh import_model(const input::BodySpec& spec);
+
+/// The same for a model that was read before.
+BodyMesh body_of(const Model& model, const input::BodySpec& spec);
+
+}  // namespace snug::mesh

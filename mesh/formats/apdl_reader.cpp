@@ -1,0 +1,347 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "mesh/formats/apdl_deck.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+constexpr std::size_t most_errors = 20;
+
+/// Commands that say nothing about the model of one static step: solution controls, output, titles, pictures.
+const std::set<std::string>& without_meaning() {
+  static const std::set<std::string> names = {
+      "FINISH", "FINI", "SOLVE", "SAVE", "ANTYPE", "ANTY", "NLGEOM", "OUTRES", "OUTPR", "NSUBST", "DELTIM", "TIME", "KBC",
+      "AUTOTS", "EQSLV", "NUMOFF", "EXTOPT", "SHPP", "PRNSOL", "PRESOL", "PLNSOL", "PLDISP", "SET", "EPLOT", "NPLOT",
+      "KPLOT", "APLOT", "NLIST", "ELIST", "TREF", "IRLF", "TUNIF", "DSYS", "RSYS", "WPCSYS", "LSWRITE", "NROPT", "CNVTOL",
+      "ERESX", "MPTEMP", "MPTGEN", "TBTEMP", "LSTR", "L", "DOF", "PSTRES", "LUMPM", "BCSOPTION", "CEINTF", "MSHCOPY",
+      "MSHKEY", "PRRSOL", "RATE", "NCNV", "LNSRCH", "PRED", "EALIVE", "DMPRAT", "ALPHAD", "BETAD", "EXIT", "NERR", "EOF"};
+  return names;
+}
+
+class ApdlReader {
+ public:
+  ApdlReader(const std::string& text, const std::string& file, input::Diagnostics& diagnostics)
+      : source_(text), file_(file), diagnostics_(diagnostics) {}
+
+  ApdlDeck read() {
+    for (std::string_view line; source_.next(line) && diagnostics_.errors().size() < most_errors;) {
+      line = line.substr(0, line.find('!'));
+      for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find('$', begin), line.size());
+        command(fields_of(line.substr(begin, end - begin), static_cast<int>(begin)));
+        begin = end + 1;
+      }
+    }
+    return std::move(deck_);
+  }
+
+ private:
+  void command(std::vector<TextField> fields) {
+    if (fields.size() == 1 && fields[0].text.empty()) return;
+    const FieldLine line{file_, source_.number(), std::move(fields), diagnostics_};
+    const std::string name = upper_case(line.text(0));
+    if (name.find_first_not_of(". ") == name.npos)
+      return line.error(0, "lines are left out here", "give the whole model");
+    if (name.starts_with("/")) {
+      if (name.starts_with("/INP") || name == "*USE")
+        line.error(0, fmt::format("{} reads another file", name), "put its lines here");
+      return;
+    }
+    if (name == "N" && upper_case(line.text(1)).starts_with("R5")) return;  // ends a block
+    if (read_block(line, source_, deck_)) return;
+    const auto& table = commands();
+    if (const auto it = table.find(name); it != table.end()) return it->second(*this, line);
+    if (without_meaning().contains(name)) return;
+    line.error(0, fmt::format("the command \"{}\" is not read", line.text(0).substr(0, 20)),
+               name.starts_with("*") || line.text(0).find('=') != std::string_view::npos
+                   ? "write the model without parameters, loops and conditions: CDWRITE in Ansys does"
+                   : "leave it out, or write the model with CDWRITE (snug reads ET MP R K A N E D F DK FK SFE NSEL and CDB blocks)");
+  }
+
+  using Handler = std::function<void(ApdlReader&, const FieldLine&)>;
+  static const std::map<std::string, Handler>& commands() {
+    using R = ApdlReader;
+    using L = const FieldLine&;
+    static const std::map<std::string, Handler> table = {
+        {"ET", [](R& r, L l) { r.type(l); }},
+        {"KEYOPT", [](R& r, L l) { r.key_option(l); }},
+        {"KEYOP", [](R& r, L l) { r.key_option(l); }},
+        {"MP", [](R& r, L l) { r.property(l, 1, 2, 3); }},
+        {"MPDATA", [](R& r, L l) { upper_case(l.text(1)).starts_with("R") ? r.property(l, 3, 4, 6) : r.property(l, 1, 2, 4); }},
+        {"TB", [](R& r, L l) { r.hyperelastic(l); }},
+        {"TBDATA", [](R& r, L l) { r.table_data(l); }},
+        {"R", [](R& r, L l) { r.real(l); }},
+        {"RMORE", [](R& r, L l) { r.more_reals(l); }},
+        {"SECTYPE", [](R& r, L l) { r.section_type(l); }},
+        {"SECDATA", [](R& r, L l) { if (r.section_ > 0) r.deck_.shell_sections[r.section_] = {l.number_at(1)}; }},
+        {"SECBLOCK", [](R& r, L l) { r.section_block(l); }},
+        {"SECOFFSET", [](R&, L l) { if (const auto w = upper_case(l.text(1)); !w.empty() && w != "MID") l.error(1, "the shell is off its nodes", "use secoffset,mid"); }},
+        {"TYPE", [](R& r, L l) { r.now_.type = l.integer_at(1, 1); }},
+        {"MAT", [](R& r, L l) { r.now_.material = l.integer_at(1, 1); }},
+        {"REAL", [](R& r, L l) { r.now_.real = l.integer_at(1, 1); }},
+        {"SECNUM", [](R& r, L l) { r.now_.section = l.integer_at(1, 1); }},
+        {"ESYS", [](R&, L l) { zero(l, "elements have a coordinate system of their own"); }},
+        {"CSYS", [](R&, L l) { zero(l, "the coordinate system is not the global Cartesian one"); }},
+        {"AATT", [](R& r, L l) { r.now_.material = l.integer_at(1, 1), r.now_.real = l.integer_at(2, 1), r.now_.type = l.integer_at(3, 1), r.now_.section = l.integer_at(5, 1); }},
+        {"N", [](R& r, L l) { r.point(l, r.deck_.nodes); }},
+        {"K", [](R& r, L l) { r.point(l, r.deck_.keypoints); }},
+        {"A", [](R& r, L l) { r.area(l); }},
+        {"E", [](R& r, L l) { r.element(l, 0); }},
+        {"EN", [](R& r, L l) { r.element(l, l.integer_at(1)); }},
+        {"EMORE", [](R& r, L l) { r.more_nodes(l); }},
+        {"ESIZE", [](R& r, L l) { r.element_size(l); }},
+        {"MSHAPE", [](R&, L l) { if (upper_case(l.text(2)) == "3D") l.error(2, "volumes are not meshed here", "write the meshed model with CDWRITE"); }},
+        {"AMESH", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "only all areas are meshed", "write amesh,all"); }},
+        {"D", [](R& r, L l) { r.support(l, r.deck_.supports); }},
+        {"DK", [](R& r, L l) { r.support(l, r.deck_.keypoint_supports); }},
+        {"F", [](R& r, L l) { r.force(l, r.deck_.forces); }},
+        {"FK", [](R& r, L l) { r.force(l, r.deck_.keypoint_forces); }},
+        {"SFE", [](R& r, L l) { r.surface_load(l); }},
+        {"CM", [](R& r, L l) { r.component(l); }},
+        {"NSEL", [](R& r, L l) { r.select(l); }},
+        {"CMSEL", [](R& r, L l) { r.select_component(l); }},
+        {"ALLSEL", [](R& r, L) { r.all_ = true; }},
+        {"ESEL", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "elements are selected", "write esel,all"); }},
+        {"ASEL", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "areas are selected", "write asel,all"); }},
+        {"KSEL", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "keypoints are selected", "write ksel,all"); }}};
+    return table;
+  }
+
+  static void zero(const FieldLine& line, const char* found) {
+    if (line.integer_at(1) != 0) line.error(1, found, "use the global Cartesian system, number 0");
+  }
+
+  void type(const FieldLine& line) {
+    const std::string name = upper_case(line.text(2));
+    const auto digits = name.find_first_of("0123456789");
+    const int ename = digits == name.npos ? 0 : integer_of(std::string_view(name).substr(digits)).value_or(0);
+    if (ename == 0) return line.error(2, fmt::format("\"{}\" is no element", line.text(2)), "give its name, e.g. et,1,shell63");
+    const int number = line.integer_at(1, 1);
+    deck_.types[number] = ename;
+    for (std::size_t f = 3; f < line.fields.size(); ++f) check_option(line, ename, static_cast<int>(f) - 2, f);
+  }
+  void key_option(const FieldLine& line) {
+    const auto type = deck_.types.find(line.integer_at(1, 1));
+    check_option(line, type == deck_.types.end() ? 0 : type->second, line.integer_at(2), 3);
+  }
+  /// Of shells the first option turns bending off; the others of solids and shells choose integration and output.
+  static void check_option(const FieldLine& line, int ename, int option, std::size_t field) {
+    const bool shell = ename == 63 || ename == 181 || ename == 281 || ename == 93;
+    if (shell && option == 1 && line.integer_at(field) != 0)
+      line.error(field, "the shell is a membrane without bending, or bends without stretching", "leave the key option 1 at 0");
+  }
+
+  void property(const FieldLine& line, std::size_t label, std::size_t number, std::size_t value) {
+    static const std::set<std::string> read = {"EX", "PRXY", "NUXY", "DENS"},
+        others = {"ALPX", "ALPY", "ALPZ", "REFT", "KXX", "C", "MU", "DAMP", "ALPD", "BETD", "GXY", "CTEX"};
+    const std::string name = upper_case(line.text(label));
+    if (others.contains(name)) return;
+    if (!read.contains(name))
+      return line.error(label, fmt::format("the property {} is not read", line.text(label)), "materials are isotropic: EX, PRXY (or NUXY) and DENS");
+    ApdlMaterial& material = deck_.materials[line.integer_at(number, 1)];
+    material.properties[name] = line.number_at(value);
+    if (material.line == 0) material.line = line.number;
+  }
+
+  void hyperelastic(const FieldLine& line) {
+    table_ = line.integer_at(2, 1);
+    ApdlMaterial& material = deck_.materials[table_];
+    if (material.line == 0) material.line = line.number;
+    const std::string lab = upper_case(line.text(1)), option = upper_case(line.text(5));
+    material.terms = std::clamp(line.integer_at(4, option.starts_with("MOON") ? 2 : 1), 1, 10);
+    material.hyperelastic = lab != "HYPER" ? ModelLaw::none : option.starts_with("NEO") ? ModelLaw::neo_hooke
+                            : option.starts_with("MOON") && material.terms == 2 ? ModelLaw::mooney_rivlin
+                            : option.starts_with("OGDEN") ? ModelLaw::ogden : ModelLaw::none;
+    material.table.clear();
+    if (material.hyperelastic == ModelLaw::none)
+      line.error(1, "this table of a material is not read", "use TB,HYPER with NEO, MOONEY (2 parameters) or OGDEN, or MP,EX and MP,PRXY");
+  }
+  void table_data(const FieldLine& line) {
+    std::vector<double>& table = deck_.materials[table_].table;
+    const int start = std::clamp(line.integer_at(1, 1), 1, 60);
+    for (std::size_t f = 2; f < line.fields.size() && f < 62; ++f) {
+      const std::size_t at = start + f - 3;
+      if (table.size() <= at) table.resize(at + 1, 0.0);
+      table[at] = line.number_at(f);
+    }
+  }
+
+  void real(const FieldLine& line) {
+    real_ = line.integer_at(1, 1);
+    deck_.reals[real_].clear();
+    append(line, 2);
+  }
+  void more_reals(const FieldLine& line) { append(line, 1); }
+  void append(const FieldLine& line, std::size_t first) {
+    std::vector<double>& values = deck_.reals[real_];
+    values.resize((values.size() + 5) / 6 * 6, 0.0);  // six a command
+    for (std::size_t f = first; f < std::min(line.fields.size(), first + 6); ++f) values.push_back(line.number_at(f));
+  }
+
+  void section_type(const FieldLine& line) {
+    section_ = line.integer_at(1, 1);
+    if (upper_case(line.text(2)) != "SHELL")
+      line.error(2, "only sections of shells are read", "write sectype,1,shell and secdata,THICKNESS");
+  }
+  void section_block(const FieldLine& line) {
+    std::string_view layer;
+    if (line.integer_at(1) != 1) return line.error(1, "the shell has several layers", "use one layer");
+    if (!source_.next(layer)) return;
+    const FieldLine row{file_, source_.number(), fields_of(layer), diagnostics_};
+    if (section_ > 0) deck_.shell_sections[section_] = {row.number_at(0)};
+  }
+
+  void point(const FieldLine& line, std::map<int, Eigen::Vector3d>& points) {
+    const int number = line.empty(1) ? (points.empty() ? 1 : points.rbegin()->first + 1) : line.integer_at(1);
+    if (number < 1) return line.error(1, fmt::format("\"{}\" is no number of a point", line.text(1)), "points count from 1");
+    points[number] = {line.number_at(2), line.number_at(3), line.number_at(4)};
+  }
+
+  void area(const FieldLine& line) {
+    ApdlArea area{{}, now_.type, now_.material, now_.real, now_.section, line.number};
+    for (std::size_t f = 1; f < line.fields.size(); ++f) area.corners.push_back(line.integer_at(f));
+    const std::set<int> apart(area.corners.begin(), area.corners.end());
+    if (area.corners.size() < 3 || area.corners.size() > 4 || apart.size() != area.corners.size())
+      return line.error(1, "the area has not three or four keypoints", "divide it into triangles and quadrilaterals");
+    deck_.areas.push_back(std::move(area));
+  }
+
+  void element(const FieldLine& line, int number) {
+    ApdlElement element = now_;
+    element.line = line.number;
+    element.number = number > 0 ? number : last_element_ + 1;
+    last_element_ = std::max(last_element_, element.number);
+    for (std::size_t f = number > 0 ? 2 : 1; f < line.fields.size(); ++f) element.nodes.push_back(line.integer_at(f));
+    deck_.elements.push_back(std::move(element));
+  }
+  void more_nodes(const FieldLine& line) {
+    if (deck_.elements.empty() || deck_.elements.back().nodes.size() > 20)
+      return line.error(0, "there is no element to be continued", "write E first");
+    for (std::size_t f = 1; f < line.fields.size(); ++f) deck_.elements.back().nodes.push_back(line.integer_at(f));
+  }
+
+  void element_size(const FieldLine& line) {
+    if (line.number_at(1) != 0.0) return line.error(1, "the size of elements is given as a length", "give divisions of a line: esize,,1");
+    deck_.divisions = line.integer_at(2);
+  }
+
+  /// Nodes or keypoints that field 1 and the range in `last` and `step` name.
+  template <class Visit>
+  void for_items(const FieldLine& line, std::size_t last, Visit visit) {
+    const std::string who = upper_case(line.text(1));
+    if (who == "ALL") {
+      for (const auto& [node, at] : deck_.nodes)
+        if (all_ || selected_.contains(node)) visit(node);
+      return;
+    }
+    if (const auto set = deck_.node_sets.find(who); set != deck_.node_sets.end()) {
+      for (const int node : set->second) visit(node);
+      return;
+    }
+    const int first = line.integer_at(1), end = line.integer_at(last, first), step = std::max(1, line.integer_at(last + 1, 1));
+    if (first < 1) return line.error(1, fmt::format("\"{}\" is no node", line.text(1)), "give its number, ALL or a component");
+    if (end - first > 10'000'000) return line.error(last, "the range is too large", "select nodes and write ALL");
+    for (int node = first; node <= end; node += step)
+      if (end == first || deck_.nodes.contains(node)) visit(node);
+  }
+
+  void support(const FieldLine& line, std::vector<ModelSupport>& supports) {
+    static const std::vector<std::string> labels = {"UX", "UY", "UZ", "ROTX", "ROTY", "ROTZ"};
+    for (const std::size_t field : {2u, 7u, 8u, 9u, 10u, 11u}) {
+      const std::string label = upper_case(line.text(field));
+      if (label.empty() && field > 2) continue;
+      const auto place = std::find(labels.begin(), labels.end(), label) - labels.begin();
+      if (label != "ALL" && place == 6)
+        return line.error(field, fmt::format("\"{}\" is no component of displacement", line.text(field)), "write UX UY UZ ROTX ROTY ROTZ or ALL");
+      const double value = line.number_at(3);
+      for_items(line, 5, [&](int node) {
+        for (int c = 0; c < 6; ++c)
+          if (label == "ALL" || c == place) supports.push_back({node, c, value});
+      });
+    }
+  }
+
+  void force(const FieldLine& line, std::vector<ModelForce>& forces) {
+    static const std::vector<std::string> labels = {"FX", "FY", "FZ"};
+    const auto place = std::find(labels.begin(), labels.end(), upper_case(line.text(2))) - labels.begin();
+    if (place == 3)
+      return line.error(2, fmt::format("\"{}\" is no force", line.text(2)), "write FX, FY or FZ; moments are not taken over");
+    for_items(line, 5, [&](int node) { forces.push_back({node, static_cast<int>(place), line.number_at(3)}); });
+  }
+
+  void surface_load(const FieldLine& line) {
+    if (upper_case(line.text(3)) != "PRES") return line.error(3, "only pressures on elements are read", "write SFE,element,face,PRES,,value");
+    const double value = line.number_at(5);
+    for (std::size_t f = 6; f < line.fields.size() && f < 9; ++f)
+      if (!line.empty(f) && line.number_at(f) != value) line.error(f, "the pressure varies over the face", "give one value a face");
+    deck_.pressures.push_back({line.integer_at(1), line.integer_at(2, 1), value});
+  }
+
+  std::vector<int> selection() const {
+    std::vector<int> nodes;
+    for (const auto& [node, at] : deck_.nodes)
+      if (all_ || selected_.contains(node)) nodes.push_back(node);
+    return nodes;
+  }
+  void component(const FieldLine& line) {
+    if (const std::string kind = upper_case(line.text(2)); kind.empty() || kind.starts_with("NODE"))
+      deck_.node_sets[upper_case(line.text(1))] = selection();
+  }
+  /// NSEL,S|R|A|U,LOC|NODE,component,min,max,step and NSEL,ALL|NONE.
+  void select(const FieldLine& line) {
+    const std::string mode = upper_case(line.text(1)), item = upper_case(line.text(2)), component = upper_case(line.text(3));
+    if (mode == "ALL" || mode == "NONE") {
+      all_ = mode == "ALL", selected_.clear();
+      return;
+    }
+    const bool by_place = item == "LOC" && (component == "X" || component == "Y" || component == "Z");
+    if ((mode != "S" && mode != "R" && mode != "A" && mode != "U") || (!by_place && item != "NODE"))
+      return line.error(1, "this selection is not read", "write nsel,s|r|a|u,loc,x|y|z,from,to or nsel,s,node,,from,to");
+    const double low = line.number_at(4), high = line.number_at(5, low);
+    const double slack = low == high ? std::max(0.005 * std::abs(low), 1e-6) : 1e-6 * std::abs(high - low);  // Ansys' tolerance
+    apply(mode, [&](int node, const Eigen::Vector3d& at) {
+      const double value = by_place ? at[component[0] - 'X'] : node;
+      return value >= low - slack && value <= high + slack;
+    });
+  }
+  void select_component(const FieldLine& line) {
+    const auto set = deck_.node_sets.find(upper_case(line.text(2)));
+    if (set == deck_.node_sets.end())
+      return line.error(2, fmt::format("there is no component \"{}\" of nodes", line.text(2)), "define it with CM or CMBLOCK first");
+    const std::set<int> members(set->second.begin(), set->second.end());
+    apply(line.empty(1) ? "S" : upper_case(line.text(1)), [&](int node, const Eigen::Vector3d&) { return members.contains(node); });
+  }
+  template <class Test>
+  void apply(const std::string& mode, Test test) {
+    std::set<int> now;
+    for (const auto& [node, at] : deck_.nodes) {
+      const bool before = all_ || selected_.contains(node), hit = test(node, at);
+      if (mode == "S" ? hit : mode == "R" ? before && hit : mode == "A" ? before || hit : before && !hit) now.insert(node);
+    }
+    selected_ = std::move(now), all_ = false;
+  }
+
+  LineSource source_;
+  const std::string& file_;
+  input::Diagnostics& diagnostics_;
+  ApdlDeck deck_;
+  ApdlElement now_;  ///< attributes of the elements to come
+  int last_element_ = 0, real_ = 1, section_ = 0, table_ = 1;
+  std::set<int> selected_;
+  bool all_ = true;
+};
+
+}  // namespace
+
+Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics) {
+  ApdlDeck deck = ApdlReader(text, shown_as, diagnostics).read();
+  if (!diagnostics.any()) mesh_areas(deck, shown_as, diagnostics);
+  return model_of(deck, shown_as, diagnostics);
+}
+
+}  // namespace snug::mesh

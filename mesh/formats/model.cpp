@@ -1,0 +1,147 @@
+#include "mesh/formats/model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <unordered_set>
+
+#include "mesh/formats/fields.hpp"
+
+namespace snug::mesh {
+
+int node_count(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::tri3: return 3;
+    case ElementKind::tet4:
+    case ElementKind::quad4: return 4;
+    case ElementKind::tri6: return 6;
+    case ElementKind::hex8:
+    case ElementKind::quad8: return 8;
+    case ElementKind::tet10: return 10;
+    case ElementKind::hex20: return 20;
+  }
+  return 0;
+}
+
+int corner_count(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::tri3:
+    case ElementKind::tri6: return 3;
+    case ElementKind::hex8:
+    case ElementKind::hex20: return 8;
+    default: return 4;
+  }
+}
+
+bool is_shell(ElementKind kind) {
+  return kind == ElementKind::tri3 || kind == ElementKind::tri6 || kind == ElementKind::quad4 || kind == ElementKind::quad8;
+}
+
+bool is_tetrahedron(ElementKind kind) { return kind == ElementKind::tet4 || kind == ElementKind::tet10; }
+
+std::string to_string(ElementKind kind) {
+  const char* shape = is_tetrahedron(kind) ? "tetrahedron" : !is_shell(kind) ? "hexahedron" : corner_count(kind) == 3 ? "triangle" : "quadrilateral";
+  return fmt::format("{}-node {}", node_count(kind), shape);
+}
+
+const std::vector<std::vector<int>>& model_faces(ElementKind kind) {
+  static const std::vector<std::vector<int>> tetrahedron = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}},
+      hexahedron = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}},
+      triangle = {{0, 1, 2}}, quadrilateral = {{0, 1, 2, 3}};
+  if (is_shell(kind)) return corner_count(kind) == 3 ? triangle : quadrilateral;
+  return is_tetrahedron(kind) ? tetrahedron : hexahedron;
+}
+
+namespace {
+
+constexpr std::size_t most_errors = 20;
+
+/// Reports what refers to nodes that are not there.
+class NodeCheck {
+ public:
+  NodeCheck(const Model& model, const std::string& file, input::Diagnostics& diagnostics)
+      : file_(file), diagnostics_(diagnostics) {
+    for (const ModelNode& node : model.nodes) known_.insert(node.number);
+  }
+  void operator()(int node, int line, const std::string& what) {
+    if (known_.contains(node) || diagnostics_.errors().size() >= most_errors) return;
+    diagnostics_.error({file_, line, 0}, fmt::format("{} names node {}, which is not there", what, node),
+                       "give the node its coordinates, or leave it out");
+  }
+
+ private:
+  const std::string& file_;
+  input::Diagnostics& diagnostics_;
+  std::unordered_set<int> known_;
+};
+
+template <class Items>
+void sort_by_number(Items& items, const char* what, const std::string& file, input::Diagnostics& diagnostics) {
+  std::stable_sort(items.begin(), items.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
+  for (std::size_t i = 1; i < items.size(); ++i)
+    if (items[i].number == items[i - 1].number && diagnostics.errors().size() < most_errors)
+      diagnostics.error({file, 0, 0}, fmt::format("{} {} is there twice", what, items[i].number), "number each one apart");
+}
+
+}  // namespace
+
+void finish(Model& model, const std::string& file, input::Diagnostics& diagnostics) {
+  sort_by_number(model.nodes, "node", file, diagnostics);
+  sort_by_number(model.elements, "element", file, diagnostics);
+  if (model.elements.empty() && !diagnostics.any())
+    diagnostics.error({file, 0, 0}, "there are no elements in it",
+                      "give a model with elements: NBLOCK and EBLOCK, N and E, K and A, or *NODE and *ELEMENT");
+  NodeCheck check(model, file, diagnostics);
+  std::unordered_set<int> elements;
+  for (const ModelElement& element : model.elements) {
+    elements.insert(element.number);
+    const auto line = model.element_line.find(element.number);
+    for (const int node : element.nodes)
+      check(node, line == model.element_line.end() ? 0 : line->second, fmt::format("element {}", element.number));
+  }
+  for (const ModelSupport& support : model.supports) check(support.node, 0, "a support");
+  for (const ModelForce& force : model.forces) check(force.node, 0, "a force");
+  for (const ModelPressure& pressure : model.pressures)
+    if (!elements.contains(pressure.element) && diagnostics.errors().size() < most_errors)
+      diagnostics.error({file, 0, 0}, fmt::format("a pressure acts on element {}, which is not there", pressure.element),
+                        "give the element, or leave the pressure out");
+  for (auto& [name, nodes] : model.node_sets) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const int node : nodes) check(node, 0, "the set " + name);
+  }
+}
+
+/// Both programs call their input .inp: cards of CalculiX begin with one star and a letter.
+static bool looks_like_calculix(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    if (!line.empty() && !line.starts_with("**")) return line.starts_with("*");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
+
+bool is_model_file(const std::filesystem::path& file) {
+  const std::string ending = upper_case(file.extension().string());
+  for (const char* known : {".CDB", ".ANS", ".MAC", ".APDL", ".TXT", ".INP"})
+    if (ending == known) return true;
+  return false;
+}
+
+Model read_model(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file))
+    throw input::InputError({file.string(), 0, 0}, "there is no such file", "put it there or correct its name");
+  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  input::Diagnostics diagnostics;
+  Model model = looks_like_calculix(text) ? parse_calculix(text, file.string(), diagnostics)
+                                          : parse_apdl(text, file.string(), diagnostics);
+  diagnostics.throw_if_any();
+  return model;
+}
+
+}  // namespace snug::mesh

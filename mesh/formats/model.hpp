@@ -1,0 +1,112 @@
+// A finite element model of another program as its file says it: numbers, units and names are the file's own. The readers
+// of APDL text, CDB files and CalculiX input fill it, the writers print it, mesh/body/foreign makes a body of it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cases/input/diagnostics.hpp"
+
+namespace snug::mesh {
+
+/// Nodes in the order that Abaqus, CalculiX and Ansys share: corners (below, then above), then the middles of the edges
+/// below, above and upright; of triangles and tetrahedra 12 23 31 14 24 34.
+enum class ElementKind { tet4, tet10, hex8, hex20, tri3, tri6, quad4, quad8 };
+int node_count(ElementKind kind);
+int corner_count(ElementKind kind);
+bool is_shell(ElementKind kind);
+bool is_tetrahedron(ElementKind kind);
+/// "8-node hexahedron", ...
+std::string to_string(ElementKind kind);
+/// Corner places (from 0) of each face of a solid, in the order of CalculiX's labels P1, P2, ...
+const std::vector<std::vector<int>>& model_faces(ElementKind kind);
+
+struct ModelNode {
+  int number = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  bool operator==(const ModelNode&) const = default;
+};
+
+struct ModelElement {
+  int number = 0;
+  ElementKind kind = ElementKind::hex8;
+  std::vector<int> nodes;  ///< numbers
+  int material = 0;        ///< index into Model::materials
+  int section = -1;        ///< index into Model::sections; -1 for solids
+  bool operator==(const ModelElement&) const = default;
+};
+
+/// Constants: elastic E, nu; neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Ogden mu_1, alpha_1, ..., kappa in the
+/// convention W = sum mu_p/alpha_p (...). The hyperelastic laws have the volumetric energy kappa/2 (J - 1)^2.
+enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden };
+
+struct ModelMaterial {
+  std::string name;
+  ModelLaw law = ModelLaw::none;
+  std::vector<double> constants;
+  double density = 0.0;  ///< 0: not given
+  bool operator==(const ModelMaterial&) const = default;
+};
+
+/// Of shells.
+struct ModelSection {
+  double thickness = 0.0;
+  double foundation = 0.0;  ///< pressure per deflection along the normal (SHELL63's elastic foundation stiffness)
+  bool operator==(const ModelSection&) const = default;
+};
+
+/// A component (from 0; 3, 4, 5 are rotations) held at a displacement.
+struct ModelSupport {
+  int node = 0, component = 0;
+  double value = 0.0;
+  bool operator==(const ModelSupport&) const = default;
+};
+struct ModelForce {
+  int node = 0, component = 0;
+  double value = 0.0;
+  bool operator==(const ModelForce&) const = default;
+};
+/// On a face of a solid (an index into model_faces) against its outward normal; on a shell (face 0) along the normal that
+/// its nodes turn about.
+struct ModelPressure {
+  int element = 0, face = 0;
+  double value = 0.0;
+  bool operator==(const ModelPressure&) const = default;
+};
+
+struct Model {
+  std::vector<ModelNode> nodes;        ///< by ascending number
+  std::vector<ModelElement> elements;  ///< by ascending number
+  std::vector<ModelMaterial> materials;
+  std::vector<ModelSection> sections;
+  std::map<std::string, std::vector<int>> node_sets;  ///< numbers, ascending
+  std::vector<ModelSupport> supports;
+  std::vector<ModelForce> forces;
+  std::vector<ModelPressure> pressures;
+  std::map<int, int> element_line;  ///< where an element stands in its file, for messages
+};
+
+/// What the readers have in common at the end: sorts, and reports elements with nodes that are not there, materials
+/// without a law and supports and forces at nodes that are not there.
+void finish(Model& model, const std::string& file, input::Diagnostics& diagnostics);
+
+/// Reads APDL text or a CDB file (.cdb, .ans, .mac, .apdl, .txt), or CalculiX input (.inp), by the ending of its name.
+/// Throws input::InputError with the line of everything that is wrong or cannot be taken over.
+Model read_model(const std::filesystem::path& file);
+/// True for names that read_model takes.
+bool is_model_file(const std::filesystem::path& file);
+
+Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics);
+Model parse_calculix(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics);
+
+/// One static step with large displacements; displacements of all nodes go to the .dat file. Numbers have the 20 characters
+/// that CalculiX reads: what is read back is what was written, to 1e-14 of the longest ones.
+void write_calculix(std::ostream& out, const Model& model);
+/// A CDB file: NBLOCK, EBLOCK, components, materials, supports and loads, with 17 digits: read back to the last bit.
+void write_cdb(std::ostream& out, const Model& model);
+
+}  // namespace snug::mesh
