@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <string>
 #include <thread>
 
 #include "solver/algebra/communicator.hpp"
@@ -14,10 +16,28 @@ namespace snug::solver {
 namespace {
 
 // Started without mpirun, Open MPI would start a daemon of its own, which takes a second and looks for a remote shell.
-char**& alone_unless_launched(char**& argv) {
-  if (!getenv("OMPI_COMM_WORLD_SIZE")) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  return argv;
-}
+// Left alone, all lone processes share one folder of temporary files, which the first to end takes from under the others:
+// each gets its own.
+class Alone {
+ public:
+  Alone() {
+    if (getenv("OMPI_COMM_WORLD_SIZE")) return;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    std::string name = (std::filesystem::temp_directory_path() / "snug-XXXXXX").string();
+    if (!mkdtemp(name.data())) return;  // as before, then
+    folder_ = name;
+    setenv("OMPI_MCA_orte_tmpdir_base", folder_.c_str(), 0);
+  }
+  Alone(const Alone&) = delete;
+  Alone& operator=(const Alone&) = delete;
+  ~Alone() {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
 
 void share_cores_of_blas(int ranks) {
   if (ranks == 1 || getenv("OPENBLAS_NUM_THREADS")) return;
@@ -29,10 +49,11 @@ void share_cores_of_blas(int ranks) {
 }  // namespace
 
 struct Session::Runtime {
-  Runtime(int& argc, char**& argv) : mpi(argc, alone_unless_launched(argv), dealii::numbers::invalid_unsigned_int) {
+  Runtime(int& argc, char**& argv) : mpi(argc, argv, dealii::numbers::invalid_unsigned_int) {
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // a failed factorisation is an event for the recovery
     share_cores_of_blas(ranks());
   }
+  Alone alone;  // before MPI starts, after it ends
   dealii::Utilities::MPI::MPI_InitFinalize mpi;
 };
 
