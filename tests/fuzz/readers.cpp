@@ -244,7 +244,7 @@ int fuzz(double seconds, unsigned seed, const std::string& only) {
 
 int main(int argc, char** argv) {
   if (argc < 2 || std::atof(argv[1]) <= 0.0) {
-    fmt::print(stderr, "usage: snug_fuzz SECONDS [SEED [READER]]     readers: apdl inp listing csv toml surface\n");
+    fmt::print(stderr, "usage: snug_fuzz SECONDS [SEED [READER]]     readers: apdl inp listing csv curves fll fis toml surface\n");
     return 2;
   }
   return snug::fuzz(std::atof(argv[1]), argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1,
