@@ -60,17 +60,12 @@ class Conversion {
   }
 
  private:
-  int line_of(int element) const {
-    const auto it = model_.element_line.find(element);
-    return it == model_.element_line.end() ? 0 : it->second;
-  }
-
   void choose_kind() {
     const ModelElement& first = model_.elements.front();
     for (const ModelElement& element : model_.elements) {
       const bool same = is_shell(element.kind) == is_shell(first.kind) && is_tetrahedron(element.kind) == is_tetrahedron(first.kind);
       if (!same)
-        throw InputError({file_, line_of(element.number), 1},
+        throw InputError({file_, model_.line_of(element.number), 1},
                          fmt::format("element {} is a {} where element {} is a {}", element.number, to_string(element.kind),
                                      first.number, to_string(first.kind)),
                          "give a body of hexahedra, of tetrahedra or of shells only");
@@ -149,7 +144,7 @@ class Conversion {
       const CellPositions x = cell_positions(mesh_.kind, mesh_.cells[c], mesh_.nodes);
       for (const SamplePoint& sample : check_points(mesh_.kind))
         if (!(jacobian(mesh_.kind, x, sample.reference).determinant() > 0.0))
-          throw InputError({file_, line_of(cell_number_[c]), 1}, fmt::format("element {} is inverted or flat", cell_number_[c]),
+          throw InputError({file_, model_.line_of(cell_number_[c]), 1}, fmt::format("element {} is inverted or flat", cell_number_[c]),
                            "correct the order of its nodes or move them");
     }
     nodes_.number_the_rest();

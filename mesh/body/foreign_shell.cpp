@@ -41,18 +41,13 @@ class ShellConversion {
   }
 
  private:
-  int line_of(int element) const {
-    const auto it = model_.element_line.find(element);
-    return it == model_.element_line.end() ? 0 : it->second;
-  }
-
   void add(const ModelElement& e) {
     const int corners = corner_count(e.kind);
     std::vector<int> corner;
     for (int c = 0; c < corners; ++c) corner.push_back(nodes_.at(e.nodes[c]));
     const std::set<int> apart(corner.begin(), corner.end());
     if (static_cast<int>(apart.size()) < corners)
-      throw InputError({file_, line_of(e.number), 1}, fmt::format("element {} has a corner twice", e.number), "give it corners apart");
+      throw InputError({file_, model_.line_of(e.number), 1}, fmt::format("element {} has a corner twice", e.number), "give it corners apart");
     if (node_count(e.kind) > corners)
       for (int m = 0; m < corners; ++m) nodes_.set_middle(corner[m], corner[(m + 1) % corners], e.nodes[corners + m]);
     if (corners == 3) return add_triangle(e, {corner[0], corner[1], corner[2]});
@@ -84,7 +79,7 @@ class ShellConversion {
       const auto& n = mesh_.shell[t].nodes;
       const Eigen::Vector3d a = mesh_.nodes[n[1]] - mesh_.nodes[n[0]], b = mesh_.nodes[n[2]] - mesh_.nodes[n[0]];
       if (!(a.cross(b).norm() > 1e-8 * (a.squaredNorm() + b.squaredNorm())))
-        throw InputError({file_, line_of(element_[t]), 1}, fmt::format("element {} has no area", element_[t]),
+        throw InputError({file_, model_.line_of(element_[t]), 1}, fmt::format("element {} has no area", element_[t]),
                          "move its nodes apart or leave it out");
     }
   }
@@ -96,7 +91,7 @@ class ShellConversion {
       for (int e = 0; e < 3; ++e) at_edge[ends(static_cast<int>(t), e)].push_back(static_cast<int>(t));
     for (const auto& [edge, around] : at_edge)
       if (around.size() > 2)
-        throw InputError({file_, line_of(element_[around[2]]), 1},
+        throw InputError({file_, model_.line_of(element_[around[2]]), 1},
                          fmt::format("elements {}, {} and {} share an edge", element_[around[0]], element_[around[1]], element_[around[2]]),
                          "a shell is one surface: take the branch away");
     turned_.assign(mesh_.shell.size(), 0);
@@ -113,7 +108,7 @@ class ShellConversion {
             if (other == t) continue;
             const bool against = runs_along(t, ends(t, e)) == runs_along(other, ends(t, e));
             if (seen[other] && against)
-              throw InputError({file_, line_of(element_[other]), 1}, fmt::format("the surface has one side only near element {}", element_[other]),
+              throw InputError({file_, model_.line_of(element_[other]), 1}, fmt::format("the surface has one side only near element {}", element_[other]),
                                "a shell has a top and a bottom: cut the surface");
             if (seen[other]) continue;
             if (against) turn(other);

@@ -97,9 +97,8 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
   std::unordered_set<int> elements;
   for (const ModelElement& element : model.elements) {
     elements.insert(element.number);
-    const auto line = model.element_line.find(element.number);
     for (const int node : element.nodes)
-      check(node, line == model.element_line.end() ? 0 : line->second, fmt::format("element {}", element.number));
+      check(node, model.line_of(element.number), fmt::format("element {}", element.number));
   }
   for (const ModelSupport& support : model.supports) check(support.node, 0, "a support");
   for (const ModelForce& force : model.forces) check(force.node, 0, "a force");

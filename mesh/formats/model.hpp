@@ -88,6 +88,12 @@ struct Model {
   std::vector<ModelForce> forces;
   std::vector<ModelPressure> pressures;
   std::map<int, int> element_line;  ///< where an element stands in its file, for messages
+
+  /// Line of an element, 0 where it is not known.
+  int line_of(int element) const {
+    const auto it = element_line.find(element);
+    return it == element_line.end() ? 0 : it->second;
+  }
 };
 
 /// What the readers have in common at the end: sorts, and reports elements with nodes that are not there, materials

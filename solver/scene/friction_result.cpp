@@ -1,5 +1,7 @@
 #include "solver/scene/friction_result.hpp"
 
+#include "solver/scene/result.hpp"
+
 namespace snug::solver {
 
 namespace {
@@ -24,12 +26,8 @@ void fill_samples(const Friction& friction, const Contact& contact, const State&
 // The forces act on the garment where it is: friction feels the gap's lever arm, a normal force does not.
 void fill_balance(const Friction& friction, const State& state, bool deformable, postproc::Balance& balance) {
   for (const auto& point : friction.point_forces(state)) {
-    balance.garment_force += point.force;
-    balance.skin_force -= point.force;
+    add_action(point.force, point.x, deformable, balance);
     balance.friction_force += point.force.norm();
-    if (deformable) continue;  // the rigid skin's support answers with the opposite force
-    balance.force_error += point.force;
-    balance.moment_error += point.x.cross(point.force);
   }
 }
 

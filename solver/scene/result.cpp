@@ -111,12 +111,8 @@ void fill_samples(const Contact& contact, const FabricMembrane& fabric, const St
 
 void fill_contact_balance(const Contact& contact, const State& state, bool deformable, postproc::Balance& balance) {
   for (const auto& point : contact.point_forces(state)) {
-    balance.garment_force += point.force;
-    balance.skin_force -= point.force;
+    add_action(point.force, point.y, deformable, balance);
     balance.contact_force += point.force.norm();
-    if (deformable) continue;  // the rigid skin's support answers with the opposite force
-    balance.force_error += point.force;
-    balance.moment_error += point.y.cross(point.force);
   }
 }
 
@@ -203,6 +199,14 @@ void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunR
 }
 
 }  // namespace
+
+void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool deformable, postproc::Balance& balance) {
+  balance.garment_force += force;
+  balance.skin_force -= force;
+  if (deformable) return;
+  balance.force_error += force;
+  balance.moment_error += at.cross(force);
+}
 
 void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                  postproc::RunResult& result) {

@@ -15,4 +15,7 @@ postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells);
 void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                  postproc::RunResult& result);
 
+/// Counts a force that acts on the garment at `at` and, opposite, on the skin. On a rigid skin its support answers.
+void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool deformable, postproc::Balance& balance);
+
 }  // namespace snug::solver

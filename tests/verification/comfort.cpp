@@ -7,6 +7,7 @@
 #include "postproc/comfort/curve_library.hpp"
 #include "postproc/comfort/fuzzy.hpp"
 #include "postproc/units.hpp"
+#include "tests/fuzzy_example.hpp"
 #include "tests/verification/book.hpp"
 
 namespace snug::tests {
@@ -15,18 +16,6 @@ namespace {
 using postproc::bell, postproc::FuzzySystem, postproc::infer, postproc::Integration;
 
 constexpr const char* book_8 = "reference book 8, s11";
-
-/// Two inputs, five rules, bells.
-FuzzySystem worked_example() {
-  FuzzySystem system;
-  system.inputs = {{"p", 0, 5, {bell("low", 0, 1.25, 2.5), bell("mid", 2.5, 1.25, 2.5), bell("high", 5, 1.25, 2.5)}},
-                   {"s", 0, 10, {bell("soft", 0, 5, 3), bell("stiff", 10, 5, 3)}}};
-  system.output = {"y", 0, 10, {bell("bad", 0, 2.5, 2), bell("fair", 5, 2.5, 2), bell("good", 10, 2.5, 2)}};
-  system.rules = {"if p is low and s is soft then y is good", "if p is low and s is stiff then y is fair",
-                  "if p is mid and s is soft then y is fair", "if p is mid and s is stiff then y is bad",
-                  "if p is high then y is bad"};
-  return system;
-}
 
 TEST(ComfortBook, MembershipsAndFirings) {
   // Bells and both conjunctions have the printed twelve decimals.

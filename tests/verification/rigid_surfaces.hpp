@@ -16,6 +16,7 @@
 
 #include "solver/scene/result.hpp"
 #include "solver/stepping/load_path.hpp"
+#include "tests/verification/skin_grid.hpp"
 
 namespace snug::tests {
 
@@ -74,19 +75,7 @@ inline mesh::BodyMesh grid_skin(const RigidCase& rigid) {
   const double cell = rigid.skin_cell * rigid.h * radius, half = half_length(rigid) + cell;
   const int around = static_cast<int>(std::lround(2.0 * std::numbers::pi * radius / cell));
   const int along = static_cast<int>(std::lround(2.0 * half / cell));
-  mesh::BodyMesh body;
-  for (int j = 0; j <= 2 * along; ++j)
-    for (int i = 0; i < 2 * around; ++i)
-      body.nodes.push_back(on_surface(rigid.surface, std::numbers::pi * i / around, half * (j - along) / along));
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i) {
-      std::array<int, 9> facet;
-      for (int n = 0; n < 9; ++n) facet[n] = 2 * around * (2 * j + n / 3) + (2 * i + n % 3) % (2 * around);
-      body.skin_facets.push_back(facet);
-    }
-  body.node_location.assign(body.nodes.size(), -1);
-  body.mean_skin_cell = cell;
-  return body;
+  return skin_grid(around, along, half, cell, 0.0, [&](double angle, double z) { return on_surface(rigid.surface, angle, z); });
 }
 
 /// Straightens the facets: mid-edge nodes go to the middle of their edge, centres to the mean of the corners.

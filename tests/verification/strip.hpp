@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/stepping/load_path.hpp"
+#include "tests/verification/skin_grid.hpp"
 
 namespace snug::tests {
 
@@ -45,19 +46,7 @@ inline Eigen::Vector3d on_cylinder(double radius, double angle, double z) {
 inline mesh::BodyMesh cylinder_skin(double radius, double half_height, double cell) {
   const int around = static_cast<int>(std::lround(2.0 * std::numbers::pi * radius / cell));
   const int along = std::max(1, static_cast<int>(std::lround(2.0 * half_height / cell)));
-  mesh::BodyMesh body;
-  for (int j = 0; j <= 2 * along; ++j)
-    for (int i = 0; i < 2 * around; ++i)
-      body.nodes.push_back(on_cylinder(radius, std::numbers::pi * (i + 0.3) / around, half_height * (j - along) / along));
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i) {
-      std::array<int, 9> facet;
-      for (int n = 0; n < 9; ++n) facet[n] = 2 * around * (2 * j + n / 3) + (2 * i + n % 3) % (2 * around);
-      body.skin_facets.push_back(facet);
-    }
-  body.node_location.assign(body.nodes.size(), -1);
-  body.mean_skin_cell = cell;
-  return body;
+  return skin_grid(around, along, half_height, cell, 0.3, [&](double angle, double z) { return on_cylinder(radius, angle, z); });
 }
 
 /// Nodes in a grid of half cells: node (i, j) is i (2 * cells + 1 columns) along the band and j (5 rows) across.

@@ -115,40 +115,34 @@ TEST(ListingReader, AShellsStressesParseCompletely) {
   EXPECT_EQ(table.extrema[1].values, (Row{0.54383e-4, 0.46425e-5, 0.15919e-6, 0.70761e-4, 0.73925e-4}));
 }
 
-/// The text of the thesis where it is at hand; empty elsewhere.
-std::string thesis() {
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(
-           std::filesystem::path(SNUG_SCAN_DIR).parent_path() / "seed", none))
-    if (const std::string text = test::text_of(entry.path()); text.find("4.4.3 Results") != std::string::npos) return text;
-  return {};
-}
-
 TEST(ListingReader, ThePrintedListingsOfTheThesisParseCompletely) {
-  // Thesis, section 4.4.3, both listings as they stand in its text, with the prose between them: four and five rows, no
-  // value missing, extrema of every column; its text says that node 1151 moves most along x and z, and 452 along y.
-  const std::string text = thesis();
-  if (text.empty()) GTEST_SKIP() << "the text of the thesis is not at hand";
-  const std::size_t begin = text.find("***** POST1 NODAL DEGREE OF FREEDOM LISTING"), end = text.find("Figure 4.23", begin);
-  ASSERT_NE(end, std::string::npos);
-  input::Diagnostics diagnostics;
-  const auto tables = parse(text.substr(begin, end - begin), diagnostics);
-  diagnostics.throw_if_any();
+  // Thesis, section 4.4.3: the numbers of both listings as they are printed, fused, wrapped and split as there. Four and
+  // five rows, extrema of every column; SEQV of the third row and of the maxima stands on the next line.
+  const auto tables = shipped("thesis_4_4_3.lis");
   ASSERT_EQ(tables.size(), 2u);
-  EXPECT_EQ(tables[0].rows.size(), 4u);
-  EXPECT_EQ(tables[1].rows.size(), 5u);
-  for (const ListingTable& table : tables) {
-    ASSERT_EQ(table.values.size(), table.rows.size() * table.labels.size());
-    for (const double value : table.values) EXPECT_TRUE(std::isfinite(value));
-    for (const ListingExtreme& extreme : table.extrema) {
-      EXPECT_EQ(extreme.nodes.size(), table.labels.size());
-      EXPECT_EQ(extreme.values.size(), table.labels.size());
-    }
-  }
-  ASSERT_EQ(tables[0].extrema.size(), 1u);
-  EXPECT_EQ(tables[0].extrema[0].nodes, (std::vector<int>{1151, 452, 1151, 1151}));
-  ASSERT_EQ(tables[1].extrema.size(), 2u);
-  EXPECT_EQ(tables[1].rows[0].surface, ShellSurface::top);
+  const ListingTable &moved = tables[0], &stress = tables[1];
+  EXPECT_EQ(moved.labels, (std::vector<std::string>{"UX", "UY", "UZ", "USUM"}));
+  ASSERT_EQ(moved.rows.size(), 4u);
+  EXPECT_EQ(row_of(moved, 0), (Row{0.14822e-2, 0.17681e-3, 0.88863e-3, 0.17372e-2}));
+  EXPECT_EQ(row_of(moved, 1), (Row{0.97184e-3, 0.23932e-3, 0.45338e-3, 0.10988e-2}));
+  EXPECT_EQ(row_of(moved, 2), (Row{-0.10168e-2, 0.32514e-3, -0.13787e-3, 0.10764e-2}));
+  EXPECT_EQ(row_of(moved, 3), (Row{0, 0, 0, 0}));
+  ASSERT_EQ(moved.extrema.size(), 1u);
+  EXPECT_EQ(moved.extrema[0].nodes, (std::vector<int>{1151, 452, 1151, 1151}));
+  EXPECT_EQ(moved.extrema[0].values, (Row{0.14822e-2, -0.98007e-3, 0.88863e-3, 0.17372e-2}));
+  EXPECT_EQ(stress.labels, (std::vector<std::string>{"S1", "S2", "S3", "SINT", "SEQV"}));
+  ASSERT_EQ(stress.rows.size(), 5u);
+  EXPECT_EQ(stress.rows[0].surface, ShellSurface::top);
+  EXPECT_EQ(row_of(stress, 0), (Row{0.31641e-13, -0.65500e-6, -0.14692e-5, 0.14692e-5, 0.12749e-5}));
+  EXPECT_EQ(row_of(stress, 1), (Row{0.64755e-5, 0.64719e-7, -0.21309e-5, 0.86063e-5, 0.77456e-5}));
+  EXPECT_EQ(row_of(stress, 2), (Row{0.19002e-11, -0.32529e-5, -0.45117e-5, 0.45117e-5, 0.40325e-5}));
+  EXPECT_EQ(row_of(stress, 3), (Row{-0.15152e-11, -0.23058e-4, -0.32057e-4, 0.32057e-4, 0.28638e-4}));
+  EXPECT_EQ(row_of(stress, 4), (Row{0, 0, 0, 0, 0}));
+  ASSERT_EQ(stress.extrema.size(), 2u);
+  EXPECT_EQ(stress.extrema[0].nodes, (std::vector<int>{1146, 452, 549, 685, 685}));
+  EXPECT_EQ(stress.extrema[0].values, (Row{-0.25991e-6, -0.23058e-4, -0.33844e-4, 0, 0}));
+  EXPECT_EQ(stress.extrema[1].nodes, (std::vector<int>{567, 389, 1630, 567, 567}));
+  EXPECT_EQ(stress.extrema[1].values, (Row{0.28321e-4, 0.95594e-5, 0.59702e-6, 0.34880e-4, 0.32108e-4}));
 }
 
 TEST(ListingReader, PagesAndWrappedLinesGiveOneTable) {
