@@ -274,7 +274,8 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
   scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric, prestretch));
   scene.set_proximal_weights(proximal_weights(layout, garment, fabric_stiffness(fabric)));
   if (contact)
-    scene.add(std::make_unique<Contact>(layout, garment, body, deformable, contact_stiffness(fabric, garment, body, skin),
+    scene.add(std::make_unique<Contact>(layout, garment_slave(layout, garment), body, deformable,
+                                        contact_stiffness(fabric, garment, body, skin),
                                         description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
   if (has_friction(description))
     scene.add(std::make_unique<Friction>(layout, *scene.find<Contact>(), description.contact->friction,

@@ -1,12 +1,12 @@
-// Frictionless contact of the garment (slave) on the skin (master).
+// Frictionless contact of a slave, garment or surface of a body, on the skin (master).
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "mesh/garment/garment_mesh.hpp"
 #include "postproc/result.hpp"
-#include "solver/terms/facet_cut.hpp"
+#include "solver/terms/active_set.hpp"
+#include "solver/terms/contact_slave.hpp"
 #include "solver/terms/term.hpp"
 
 namespace snug::solver {
@@ -14,11 +14,11 @@ namespace snug::solver {
 /// Test functions of the weighted gap on a triangle: hats L_i, or the dual functions 3 L_i - L_j - L_k.
 enum class GapBasis { hat, dual };
 
-/// Multipliers p_i (Pa per rest area of the garment) stand on garment vertices. With points q of rest weight w_q,
+/// Multipliers p_i (Pa per rest area of the slave) stand on the slave's vertices. With points q of rest weight w_q,
 /// g_q = (x_q - y(xi_q)) . n_q and basis Phi_i,
 ///   weighted gap  g~_i = sum_q w_q Phi_i g_q,   A_i = sum_q w_q L_i,
 ///   trial  p_i - c_i g~_i / A_i > 0  <=>  vertex i is in contact (primal-dual active set, Hueeber & Wohlmuth 2005),
-///   force on the garment  sum_q w_q (sum_i Phi_i p_i) n_q, its opposite on the skin at y(xi_q).
+///   force on the slave  sum_q w_q (sum_i Phi_i p_i) n_q, its opposite on the skin at y(xi_q).
 /// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / c_i, of the others: -eps_i p_i = 0.
 /// As p^old follows the iterate, eps_i regularises the step only (augmented Lagrangian updated every iteration): the
 /// matrix [K, -G^T; -G, -eps] is quasi-definite and the converged state has g~_i = 0 exactly.
@@ -27,9 +27,9 @@ enum class GapBasis { hat, dual };
 /// they lie then (facet_cut.hpp).
 class Contact : public Term {
  public:
-  /// `stiffness` c (Pa/m) is computed by the scene from the parts' own stiffnesses.
-  Contact(const Layout& layout, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body, bool deformable,
-          double stiffness, GapBasis basis);
+  /// The master is the skin of `body`. `stiffness` c (Pa/m) is computed by the scene from the parts' own stiffnesses.
+  Contact(const Layout& layout, ContactSlave slave, const mesh::BodyMesh& body, bool deformable, double stiffness,
+          GapBasis basis);
 
   std::string name() const override { return "contact"; }
   const ElementEntries& entries() const override { return entries_; }
@@ -39,46 +39,43 @@ class Contact : public Term {
   void renew(const State& state) override;
   void measure(const State& state, Measure& measure) const override;
 
-  int vertices() const { return static_cast<int>(area_.size()); }
-  /// Multiplier of a garment node, -1 where the node is no vertex.
-  int multiplier_of(int node) const { return vertex_of_node_[node]; }
+  int vertices() const { return slave_.vertices(); }
+  /// Multiplier of a node of the slave's mesh, -1 where the node is no vertex.
+  int multiplier_of(int node) const { return slave_.vertex_of_node[node]; }
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
   /// Active set as found by the last update, one flag a vertex.
-  const std::vector<char>& active() const { return active_; }
+  const std::vector<char>& active() const { return active_.flags(); }
   /// Quadrature points with their forces, in the order of `places`; `area` is filled by the caller, who knows the
   /// garment's stretch.
   std::vector<postproc::ContactSample> samples(const State& state) const;
-  /// Position, force on the garment (N) of every point, in the order of `samples`.
+  /// Position, force on the slave (N) of every point, in the order of `samples`.
   struct PointForce { Eigen::Vector3d x, y, force; };
   std::vector<PointForce> point_forces(const State& state) const;
-  /// Where the quadrature points stand on the garment; `weight` is the fraction of the triangle's rest area.
+  /// Where the quadrature points stand on the slave; `weight` is the fraction of the triangle's rest area.
   struct Place { int triangle; Eigen::Vector3d L; double weight; };
   std::vector<Place> places() const;
 
   /// A quadrature point that faces the skin, with what meets there in `state` (for friction). Entries of a triangle:
-  /// six garment nodes, then `skin_nodes_of`, three components each, then its vertices' multipliers.
+  /// its six nodes, then `skin_nodes_of`, three components each, then its vertices' multipliers.
   struct Meeting {
     double weight = 0.0;             ///< rest area, m2
     Eigen::Vector3d L;
     Eigen::Matrix<double, 6, 1> N;
     int facet = -1;
-    Eigen::Vector3d x;               ///< on the garment
+    Eigen::Vector3d x;               ///< on the slave
     double gap = 0.0;                ///< m
     FacetShape shape;
     FacetPoint at;
   };
   void meetings(const State& state, int triangle, std::vector<Meeting>& list) const;
   int triangles() const { return static_cast<int>(elements_.size()); }
-  const std::array<int, 3>& vertices_of(int triangle) const { return elements_[triangle].vertices; }
+  const std::array<int, 3>& vertices_of(int triangle) const { return slave_.triangles[triangle].vertices; }
   const std::vector<int>& skin_nodes_of(int triangle) const { return elements_[triangle].skin_nodes; }
   const SkinSurface& skin() const { return skin_; }
-  double rest_area(int vertex) const { return area_[vertex]; }
+  double rest_area(int vertex) const { return slave_.area[vertex]; }
 
  private:
   struct Element {
-    std::array<int, 6> nodes;        ///< representative garment nodes
-    std::array<int, 3> vertices;     ///< multipliers
-    double area = 0.0;               ///< on the pattern, m2
     std::vector<int> facets;         ///< whose nodes the element couples
     std::vector<int> skin_nodes;
     std::vector<ContactPoint> points;
@@ -92,39 +89,37 @@ class Contact : public Term {
     FacetPoint at;
   };
   Eigen::Vector3d basis(const Eigen::Vector3d& L) const;
-  TriangleNodes positions(const State& state, const Element& element) const;
+  TriangleNodes positions(const State& state, int triangle) const;
   Gap gap(const State& state, const TriangleNodes& x, const ContactPoint& point) const;
-  double pressure(const State& state, const Element& element, const ContactPoint& point) const;
+  double pressure(const State& state, int triangle, const ContactPoint& point) const;
   int points() const;
   bool locate(const State& state);
   void couple(Element& element);
   void rebuild_entries();
   void weigh(const State& state);
-  void change_active_set(const State& state);
+  bool faces(int vertex) const;
+  void decide(const State& state);
   struct Patch;
-  void add_points(const State& state, const Element& element, Tangent tangent, Slot& slot) const;
-  void add_point(const State& state, const Element& element, const TriangleNodes& x, const ContactPoint& point,
+  void add_points(const State& state, int triangle, Tangent tangent, Slot& slot) const;
+  void add_point(const State& state, int triangle, const TriangleNodes& x, const ContactPoint& point,
                  Tangent tangent, Patch& patch) const;
   void add_curvature(const ContactPoint& point, const Gap& gap, double force, bool skin_moves, Patch& patch) const;
   void scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const;
-  void add_rows(const State& state, const Element& element, bool tangent, Slot& slot) const;
+  void add_rows(const State& state, int triangle, bool tangent, Slot& slot) const;
 
   Layout layout_;
+  ContactSlave slave_;
   SkinSurface skin_;
-  int order_, fallback_parts_, skin_nodes_;
+  int fallback_parts_, skin_nodes_;
   GapBasis basis_;
   double stiffness_;
   double reach_;                         ///< m, points farther from the skin face none
-  double step_limit_;                    ///< m, half a garment edge
-  std::vector<Element> elements_;
-  std::vector<int> vertex_of_node_;
-  std::vector<double> area_;             ///< A_i, m2
+  double step_limit_;                    ///< m, half an edge of the slave
+  std::vector<Element> elements_;        ///< one a triangle of the slave
   std::vector<double> share_;            ///< 1 / number of triangles at a vertex (its row is spread over them)
   std::vector<double> weighted_gap_;     ///< g~_i at the last update, m3
   std::vector<double> facing_area_;      ///< the part of A_i that faces the skin
-  std::vector<char> active_;
-  int changed_ = 0;                      ///< vertices on the wrong side at the last update
-  int fewest_wrong_ = 0, patience_ = 0;
+  ActiveSet active_;
   ElementEntries entries_;
 };
 

@@ -5,11 +5,11 @@ namespace snug::solver {
 
 void Contact::meetings(const State& state, int triangle, std::vector<Meeting>& list) const {
   list.clear();
-  const Element& element = elements_[triangle];
-  const TriangleNodes x = positions(state, element);
-  for (const ContactPoint& point : element.points) {
+  const TriangleNodes x = positions(state, triangle);
+  const double area = slave_.triangles[triangle].area;
+  for (const ContactPoint& point : elements_[triangle].points) {
     const Gap g = gap(state, x, point);
-    if (g.facing) list.push_back({point.weight * element.area, point.L, point.N, point.site.facet, g.x, g.value, g.shape, g.at});
+    if (g.facing) list.push_back({point.weight * area, point.L, point.N, point.site.facet, g.x, g.value, g.shape, g.at});
   }
 }
 
@@ -24,14 +24,14 @@ std::vector<Contact::Place> Contact::places() const {
 std::vector<Contact::PointForce> Contact::point_forces(const State& state) const {
   std::vector<PointForce> forces;
   forces.reserve(points());
-  for (const Element& element : elements_) {
-    const TriangleNodes x = positions(state, element);
-    for (const ContactPoint& point : element.points) {
+  for (int e = 0; e < triangles(); ++e) {
+    const TriangleNodes x = positions(state, e);
+    for (const ContactPoint& point : elements_[e].points) {
       const Gap g = gap(state, x, point);
       PointForce force{g.x, g.x, Eigen::Vector3d::Zero()};
       if (g.facing) {
         force.y = g.at.y;
-        force.force = point.weight * element.area * pressure(state, element, point) * g.at.n;
+        force.force = point.weight * slave_.triangles[e].area * pressure(state, e, point) * g.at.n;
       }
       forces.push_back(force);
     }
@@ -42,16 +42,16 @@ std::vector<Contact::PointForce> Contact::point_forces(const State& state) const
 std::vector<postproc::ContactSample> Contact::samples(const State& state) const {
   std::vector<postproc::ContactSample> samples;
   samples.reserve(points());
-  for (const Element& element : elements_) {
-    const TriangleNodes x = positions(state, element);
-    for (const ContactPoint& point : element.points) {
+  for (int e = 0; e < triangles(); ++e) {
+    const TriangleNodes x = positions(state, e);
+    for (const ContactPoint& point : elements_[e].points) {
       postproc::ContactSample sample;
       const Gap g = gap(state, x, point);
       if (g.facing) {
         sample.facet = point.site.facet;
         const Eigen::Vector2d xi = clamped(skin_.kind(), point.site.xi);  // it may stay with its facet a little over the edge
         sample.xi = xi[0], sample.eta = xi[1];
-        sample.force = point.weight * element.area * pressure(state, element, point);
+        sample.force = point.weight * slave_.triangles[e].area * pressure(state, e, point);
         sample.touching = sample.force > 0.0;
       }
       samples.push_back(sample);

@@ -62,7 +62,8 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   input::MaterialReference cloth;
   cloth.table = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
   scene.add(std::make_unique<solver::FabricMembrane>(layout, garment, materials::find_fabric(cloth), 1.05));
-  scene.add(std::make_unique<solver::Contact>(layout, garment, body, true, 1e6, solver::GapBasis::hat));
+  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, garment), body, true, 1e6,
+                                              solver::GapBasis::hat));
   scene.add(std::make_unique<DeadLoad>(layout, garment, pressure));
   State state = solver::placed_state(layout, body, garment);
   state.load = 1.0;

@@ -56,8 +56,8 @@ struct SoftDrum {
     fabric.warp = fabric.weft = materials::TensionCurve::cubic(strip.k, 0.0, 2.0);
     fabric.shear = 0.3 * strip.k;
     scene.add(std::make_unique<solver::FabricMembrane>(layout, band, fabric));
-    scene.add(std::make_unique<solver::Contact>(layout, band, body, true, strip.k / (band.mean_edge * band.mean_edge),
-                                                solver::GapBasis::hat));
+    scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, band), body, true,
+                                                strip.k / (band.mean_edge * band.mean_edge), solver::GapBasis::hat));
     if (friction > 0.0)
       scene.add(std::make_unique<solver::Friction>(layout, *scene.find<solver::Contact>(), friction,
                                                    strip.elastic_slip * band.mean_edge));

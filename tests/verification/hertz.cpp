@@ -40,8 +40,8 @@ struct Indentation {
         scene(press.layout, solver::Numbering(numbered())) {
     scene.add(std::make_unique<solver::Tissue>(press.layout, press.body,
                                                std::vector<materials::SolidLaw>{tissue(shear, poisson)}));
-    scene.add(std::make_unique<solver::Contact>(press.layout, press.garment, press.body, true, shear / half_width,
-                                                solver::GapBasis::hat));
+    scene.add(std::make_unique<solver::Contact>(press.layout, solver::garment_slave(press.layout, press.garment), press.body,
+                                                true, shear / half_width, solver::GapBasis::hat));
     state = solver::placed_state(press.layout, press.body, press.garment);
     state.load = 1.0;
   }

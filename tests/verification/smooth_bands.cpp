@@ -101,7 +101,8 @@ TEST(SmoothBand, TwoPanelsInSeriesShareTheirTension) {
   solver::Scene scene(layout, solver::Numbering(std::move(master)));
   scene.add(std::make_unique<solver::FabricMembrane>(layout, first, without_poisson(k1)));
   scene.add(std::make_unique<solver::FabricMembrane>(layout, second, without_poisson(k2)));
-  scene.add(std::make_unique<solver::Contact>(layout, ring, body, false, k2 / (ring.mean_edge * ring.mean_edge), solver::GapBasis::hat));
+  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, ring), body, false,
+                                              k2 / (ring.mean_edge * ring.mean_edge), solver::GapBasis::hat));
   solver::State start = solver::placed_state(layout, body, ring);
   start.load = 1.0;
   start.values.tail(layout.multipliers).setConstant(3000.0);

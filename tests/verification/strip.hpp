@@ -95,7 +95,8 @@ inline solver::Scene strip_scene(const Strip& s, const mesh::GarmentMesh& mesh, 
   fabric.shear = 0.3 * s.k;
   scene.add(std::make_unique<solver::FabricMembrane>(layout, mesh, fabric));
   const double stiffness = s.k / (mesh.mean_edge * mesh.mean_edge);
-  scene.add(std::make_unique<solver::Contact>(layout, mesh, body, false, stiffness, solver::GapBasis::hat));
+  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, mesh), body, false, stiffness,
+                                              solver::GapBasis::hat));
   if (s.friction > 0.0)
     scene.add(std::make_unique<solver::Friction>(layout, *scene.find<solver::Contact>(), s.friction,
                                                  s.elastic_slip * mesh.mean_edge));

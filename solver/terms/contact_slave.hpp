@@ -1,0 +1,42 @@
+// The side of contact that carries the multipliers: quadratic triangles of a garment or of a body's surface.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "mesh/body/body_mesh.hpp"
+#include "mesh/garment/garment_mesh.hpp"
+#include "solver/algebra/state.hpp"
+#include "solver/terms/facet_cut.hpp"
+
+namespace snug::solver {
+
+/// A value. Triangles are counter-clockwise about the outward normal of the surface they meet; their vertices carry the
+/// multipliers, numbered from 0 in the order in which the triangles name them.
+struct ContactSlave {
+  struct Triangle {
+    std::array<int, 6> entries;   ///< of the x components of the nodes: vertices 0 1 2, mid-edges 01 12 20
+    std::array<int, 3> vertices;  ///< multipliers
+    double area = 0.0;            ///< at rest, m2
+  };
+  std::vector<Triangle> triangles;
+  std::vector<TriangleNodes> curved;   ///< rest shapes (m), one a triangle; empty: all are flat at rest
+  std::vector<int> vertex_of_node;     ///< multiplier of a node of the mesh, -1 where it is no vertex
+  std::vector<double> area;            ///< A_i = int L_i dA of a vertex, m2
+  int order = 2;                       ///< 1: mid-edge nodes take no part
+  double mean_edge = 0.0;              ///< m
+
+  int vertices() const { return static_cast<int>(area.size()); }
+  /// Rest area element at L over the triangle's mean one: 1 where it is flat.
+  double area_ratio(int triangle, const Eigen::Vector3d& L) const;
+};
+
+/// The garment with its pattern as rest shape; sewn nodes are one.
+ContactSlave garment_slave(const Layout& layout, const mesh::GarmentMesh& garment);
+
+/// Quadratic triangles (tri6) of the body's boundary, at rest where the mesh puts them. The layout of a scene with them has
+/// `vertices()` multipliers.
+ContactSlave surface_slave(const Layout& layout, const mesh::BodyMesh& body,
+                           const std::vector<mesh::FacetNodeNumbers>& facets);
+
+}  // namespace snug::solver
