@@ -117,41 +117,37 @@ void fill_contact_balance(const Contact& contact, const State& state, bool defor
 }
 
 // Supports answer at prescribed entries: their force is the residual there.
-void fill_reactions(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                    postproc::Balance& balance) {
+void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentMesh& garment, postproc::Balance& balance) {
   const Layout& layout = scene.layout();
   const Eigen::VectorXd residual = scene.full_residual(state);
-  const auto support = [&](const std::string& name, const std::vector<int>& nodes, auto entry) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : nodes) {
-      Eigen::Vector3d force = Eigen::Vector3d::Zero();
-      for (int c = 0; c < 3; ++c)
-        if (scene.numbering().unknown(entry(node, c)) < 0) force[c] = residual[entry(node, c)];
-      sum += force;
-      balance.moment_error += Eigen::Vector3d(state.values.segment<3>(entry(node, 0))).cross(force);
-    }
-    balance.force_error += sum;
-    if (sum.norm() > 0.0) balance.reactions[name] = sum;
+  const auto answer = [&](int first, int component, Eigen::Vector3d& sum) {  // `first`: the node's x entry
+    const Eigen::Vector3d force = residual[first + component] * Eigen::Vector3d::Unit(component);
+    sum += force;
+    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(first)).cross(force);
   };
-  if (layout.body_nodes > 0) {
-    const auto entry = [&](int node, int c) { return layout.body(node, c); };
-    std::vector<char> counted(body.nodes.size(), 0);
-    const auto fresh = [&](const std::vector<int>& nodes) {
-      std::vector<int> list;
-      for (const int node : nodes)
-        if (!counted[node]) counted[node] = 1, list.push_back(node);
-      return list;
-    };
-    for (const auto& [name, nodes] : scene.supports().nodes()) support(name, fresh(nodes), entry);
-    const Eigen::VectorXd load = scene.load_forces(state);
-    for (int node = 0; node < layout.body_nodes; ++node) {
-      const Eigen::Vector3d force = load.segment<3>(layout.body(node));
-      balance.force_error += force;
-      balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout.body(node))).cross(force);
-    }
+  const auto note = [&](const std::string& name, const Eigen::Vector3d& sum) {
+    balance.force_error += sum;
+    if (sum.norm() > 0.0) balance.reactions.try_emplace(name, Eigen::Vector3d::Zero()).first->second += sum;
+  };
+  for (const auto& [name, held] : scene.supports().held()) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& [node, component] : held) answer(layout.body(node), component, sum);
+    note(name, sum);
   }
-  for (const auto& [name, nodes] : garment.edges)
-    support(name + " edge", nodes, [&](int node, int c) { return layout.garment(node, c); });
+  for (const auto& [name, nodes] : garment.edges) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int node : nodes)
+      for (int c = 0; c < 3; ++c)
+        if (scene.numbering().unknown(layout.garment(node, c)) < 0) answer(layout.garment(node), c, sum);
+    note(name + " edge", sum);
+  }
+  if (layout.body_nodes == 0) return;
+  const Eigen::VectorXd load = scene.load_forces(state);
+  for (int node = 0; node < layout.body_nodes; ++node) {
+    const Eigen::Vector3d force = load.segment<3>(layout.body(node));
+    balance.force_error += force;
+    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout.body(node))).cross(force);
+  }
 }
 
 // The springs under a shell are a support, too.
@@ -228,7 +224,7 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
     result.body.coverage = pressure.coverage;
     fill_friction(scene, state, garment, pressure, result);
   }
-  fill_reactions(scene, state, body, garment, result.balance);
+  fill_reactions(scene, state, garment, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, layout, result.balance);
   result.max_penetration = scene.measure(state).penetration;
   fill_numbers(scene, body, result);

@@ -21,9 +21,9 @@ Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, c
   if (layout.body_nodes == 0 || !description.body) return;
   reference_ = body.nodes;
   const auto fix = [&](const std::string& name, const std::vector<int>& nodes, int first) {
+    held_.emplace_back(name, std::vector<Held>());
     for (const int node : nodes)
-      for (int c = first; c < 3; ++c) ++prescribed_[layout.body(node, c)];
-    nodes_.emplace_back(name, nodes);
+      for (int c = first; c < 3; ++c) prescribe(node, c);
   };
   fix("bone", body.bone_nodes, 0);
   const std::string& ends = description.body->ends;
@@ -34,31 +34,31 @@ Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, c
   for (const auto& spec : description.support) hold(body, spec);
 }
 
+void Supports::prescribe(int node, int component) {
+  if (prescribed_.insert(layout_.body(node, component)).second) held_.back().second.push_back({node, component});
+}
+
 void Supports::hold(const std::vector<mesh::HeldComponent>& held) {
-  std::vector<int> nodes;
+  if (!held.empty()) held_.emplace_back("supports of the file", std::vector<Held>());
   for (const mesh::HeldComponent& one : held) {
-    ++prescribed_[layout_.body(one.node, one.component)];
-    nodes.push_back(one.node);
+    prescribe(one.node, one.component);
     if (one.displacement == 0.0) continue;
     Moving moving{{one.node}, one.displacement * Eigen::Vector3d::Unit(one.component), 0.0, Eigen::Vector2d::Zero(), {}};
     moving.held[one.component] = true;
     moving_.push_back(std::move(moving));
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  if (!nodes.empty()) nodes_.emplace_back("supports of the file", nodes);
 }
 
 void Supports::hold(const mesh::BodyMesh& body, const input::SupportSpec& spec) {
   const mesh::Surface& surface = named_surface(body, spec.on, spec.where);
   const std::array<std::optional<double>, 3> given = {spec.x, spec.y, spec.z};
+  held_.emplace_back(spec.on, std::vector<Held>());
   Moving moving{surface.nodes, Eigen::Vector3d::Zero(), spec.turn, Eigen::Vector2d::Zero(), {}};
   for (int c = 0; c < 3; ++c) {
     if (!given[c]) continue;
     moving.held[c] = true, moving.displacement[c] = *given[c];
-    for (const int node : surface.nodes) ++prescribed_[layout_.body(node, c)];
+    for (const int node : surface.nodes) prescribe(node, c);
   }
-  nodes_.emplace_back(spec.on, surface.nodes);
   if (moving.displacement.isZero(0.0) && spec.turn == 0.0) return;
   for (const int node : surface.nodes)
     moving.middle += body.nodes[node].head<2>() / static_cast<double>(surface.nodes.size());
@@ -66,9 +66,7 @@ void Supports::hold(const mesh::BodyMesh& body, const input::SupportSpec& spec) 
 }
 
 std::vector<int> Supports::entries() const {
-  std::vector<int> list;
-  for (const auto& [entry, count] : prescribed_) list.push_back(entry);
-  return list;
+  return {prescribed_.begin(), prescribed_.end()};
 }
 
 Eigen::VectorXd Supports::gap(const State& state) const {

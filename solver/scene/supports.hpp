@@ -1,7 +1,7 @@
 // What holds or moves the body: rigid bone, cut planes and the supports of the case, with their displacements.
 #pragma once
 
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,8 +25,12 @@ class Supports {
   bool move() const { return !moving_.empty(); }
   /// From the state to its place at state.load, one value an entry of the state; empty where nothing moves.
   Eigen::VectorXd gap(const State& state) const;
-  /// Nodes of each support by its name in results: "bone", "lower cut", "upper cut", names of surfaces.
-  const std::vector<std::pair<std::string, std::vector<int>>>& nodes() const { return nodes_; }
+  /// What each support holds, by its name in results ("bone", "lower cut", "upper cut", names of surfaces). A component
+  /// that several hold is the first one's.
+  struct Held {
+    int node, component;
+  };
+  const std::vector<std::pair<std::string, std::vector<Held>>>& held() const { return held_; }
 
  private:
   /// A support whose nodes move: displacement and turn about the line along z through `middle`, at full load.
@@ -37,14 +41,16 @@ class Supports {
     Eigen::Vector2d middle;
     std::array<bool, 3> held;
   };
+  /// Adds to the support that was begun last.
+  void prescribe(int node, int component);
   void hold(const std::vector<mesh::HeldComponent>& held);
   void hold(const mesh::BodyMesh& body, const input::SupportSpec& spec);
 
   Layout layout_;
   std::vector<Eigen::Vector3d> reference_;
-  std::map<int, int> prescribed_;  ///< entry -> number of supports
+  std::set<int> prescribed_;       ///< entries
   std::vector<Moving> moving_;
-  std::vector<std::pair<std::string, std::vector<int>>> nodes_;
+  std::vector<std::pair<std::string, std::vector<Held>>> held_;
 };
 
 }  // namespace snug::solver

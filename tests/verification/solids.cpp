@@ -3,96 +3,13 @@
 
 #include "tests/verification/blocks.hpp"
 #include "tests/verification/book.hpp"
+#include "tests/verification/rings.hpp"
 #include "tests/verification/tube.hpp"
 
 namespace snug::tests {
 namespace {
 
 const std::array kinds = {CellKind::hex27, CellKind::hex8, CellKind::tet10};
-
-/// A ring in plane strain: u round, v outwards.
-BlockCase tube(double inner, double outer, std::array<int, 3> cells, const std::string& material, CellKind kind,
-               double length = 5e-3) {
-  Block block;
-  block.cells = cells, block.kind = kind, block.closed = true;
-  block.map = ring(inner, outer, length);
-  BlockCase c(make_block(block), {material});
-  c.hold("back", {}, {}, 0.0), c.hold("front", {}, {}, 0.0);
-  return c;
-}
-
-double mean_radius(const BlockCase& c, const BlockAnswer& a, const std::string& surface) {
-  double sum = 0.0;
-  const auto& nodes = c.mesh.surface(surface)->nodes;
-  for (const int node : nodes) sum += (c.mesh.nodes[node] + a.result.body.displacement[node]).head<2>().norm();
-  return sum / static_cast<double>(nodes.size());
-}
-
-// Reference book 1.5 A: tissue of 20 to 55 mm bonded to a rigid bone under 5 kPa; every kind of cell converges at its rate.
-TEST(BondedTube, EveryKindOfCellConvergesAtItsRate) {
-  for (const CellKind kind : kinds) {
-    std::array<double, 3> error{};
-    for (int level = 0; level < 3; ++level) {
-      BlockCase c = tube(0.020, 0.055, {12 << level, 2 << level, 1}, neo_hooke(10.0, 0.49), kind, 0.03 / (1 << level));
-      c.hold("bottom", 0.0, 0.0, 0.0);
-      c.pressure("top", 5e3);
-      error[level] = (1e3 * mean_radius(c, solve(c), "top") - 54.76269347193) / 0.23730652807;
-      fmt::print("{} level {}: {:.3e}\n", to_string(kind), level, error[level]);
-    }
-    const double rate = kind == CellKind::hex8 ? 1.7 : 2.7;  // of the displacement at the surface: at least h^2, h^3
-    EXPECT_GE(std::log2(std::abs(error[1] / error[2])), rate) << to_string(kind);
-    EXPECT_LE(std::abs(error[2]), kind == CellKind::hex8 ? 2e-2 : 1e-3) << to_string(kind);
-  }
-}
-
-TEST(BondedTube, EveryPoissonRatioAndLoadMeetsItsRow) {
-  struct Row { double nu, p, radius; };
-  for (const Row& row : {Row{0.30, 1, 54.11024944713}, Row{0.30, 5, 50.88440134396}, Row{0.30, 20, 42.69971739943},
-                         Row{0.45, 20, 50.61813944797}, Row{0.49, 20, 54.05931120938}, Row{0.499, 20, 54.90467931111},
-                         Row{0.4999, 20, 54.99045587920}, Row{0.49999, 1, 54.99995227288}, Row{0.49999, 5, 54.99976136494},
-                         Row{0.49999, 20, 54.99904546788}}) {
-    BlockCase c = tube(0.020, 0.055, {24, 4, 1}, neo_hooke(10.0, row.nu), CellKind::hex27);
-    c.hold("bottom", 0.0, 0.0, 0.0);
-    c.pressure("top", 1e3 * row.p);
-    book("tube on bone, V1", fmt::format("u_out [mm], nu = {}, p = {} kPa", row.nu, row.p),
-         1e3 * mean_radius(c, solve(c), "top") - 55.0, row.radius - 55.0, 1e-3, "reference book 1.5 A");
-  }
-}
-
-// Reference book 1.7: the same tube with a free bore, from nearly incompressible to nu = 0.49999.
-TEST(FreeBore, InnerAndOuterRadiusMeetTheirRows) {
-  struct Row { double nu, inner, outer; };
-  for (const Row& row : {Row{0.45, 18.82201552737, 54.30977046039}, Row{0.49, 18.90182893683, 54.55553441269},
-                         Row{0.499, 18.91983748883, 54.61100947384}, Row{0.4999, 18.92163918864, 54.61656007165},
-                         Row{0.49999, 18.92181924770, 54.61711512009}}) {
-    BlockCase c = tube(0.020, 0.055, {32, 8, 1}, neo_hooke(10.0, row.nu), CellKind::hex27);
-    name_nodes(c.mesh, "x axis", [](const Eigen::Vector3d& x) { return std::abs(x.y()) < 1e-9; });
-    name_nodes(c.mesh, "y axis", [](const Eigen::Vector3d& x) { return std::abs(x.x()) < 1e-9; });
-    c.hold("x axis", {}, 0.0, {}), c.hold("y axis", 0.0, {}, {});  // lines of symmetry: no rigid motion
-    c.pressure("top", 1e3);
-    const BlockAnswer a = solve(c);
-    book("tube with free bore", fmt::format("u_in [mm], nu = {}", row.nu), 1e3 * mean_radius(c, a, "bottom") - 20.0,
-         row.inner - 20.0, 2e-4, "reference book 1.7");
-    book("tube with free bore", fmt::format("u_out [mm], nu = {}", row.nu), 1e3 * mean_radius(c, a, "top") - 55.0,
-         row.outer - 55.0, 2e-4, "reference book 1.7");
-  }
-}
-
-// Reference book 1.4: pressure inside a tube of A = 10, B = 20 mm for a bore of 1.25 and 1.5 A, at axial stretch 1 and 1.2.
-TEST(Inflation, ThePressureOfAnIncompressibleTubeOpensItsBore) {
-  struct Row { double stretch, pressure, bore; };
-  for (const Row& row : {Row{1.0, 2.757115368034, 1.25}, Row{1.0, 4.282284090965, 1.5}, Row{1.2, 2.991510013633, 1.25},
-                         Row{1.2, 4.043599895351, 1.5}}) {
-    BlockCase c = tube(0.010, 0.020, {24, 8, 1}, neo_hooke(10.0, 0.49999), CellKind::hex27, 2e-3);
-    name_nodes(c.mesh, "x axis", [](const Eigen::Vector3d& x) { return std::abs(x.y()) < 1e-9; });
-    name_nodes(c.mesh, "y axis", [](const Eigen::Vector3d& x) { return std::abs(x.x()) < 1e-9; });
-    c.hold("x axis", {}, 0.0, {}), c.hold("y axis", 0.0, {}, {});
-    c.c.support[1].z = 2e-3 * (row.stretch - 1.0);
-    c.pressure("bottom", 1e3 * row.pressure);
-    book("inflated tube, nu = 0.49999", fmt::format("a / A at axial stretch {}, Pi = {:.4f} kPa", row.stretch, row.pressure),
-         mean_radius(c, solve(c), "bottom") / 0.010, row.bore, 2e-4, "reference book 1.4, incompressible");
-  }
-}
 
 // A cube of tetrahedra or hexahedra under uniform pressure shrinks alike in all directions by the law's own p(J).
 TEST(Patch, UniformPressureShrinksEveryKindOfCellAlike) {
