@@ -182,6 +182,14 @@ double Scene::force_residual() const {
   return std::sqrt(sum_over_ranks(squared));
 }
 
+double Scene::slope(const Eigen::VectorXd& step) const {
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(scatter_.rows());  // entries that share an unknown count once
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int row = numbering_.unknown(i) - scatter_.first_row(); row >= 0 && row < scatter_.rows())
+      direction[row] = step[i];
+  return sum_over_ranks(direction.dot(scatter_.residual()));
+}
+
 double Scene::round_off(const State& state) const {
   const double total = sum_over_ranks(scatter_.squared_diagonal());
   const double farthest = state.values.head(layout_.pressure(0)).cwiseAbs().maxCoeff();
@@ -206,8 +214,14 @@ double Scene::step_bound(const State& state, const Eigen::VectorXd& step) const 
 
 namespace {
 
-// Membrane stiffness over edge length squared times the area of the node, N/m.
-Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& garment, double stiffness) {
+double fabric_stiffness(const materials::Fabric& fabric) {
+  return std::max(fabric.warp.at(0.0).stiffness, fabric.weft.at(0.0).stiffness);
+}
+
+}  // namespace
+
+Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& garment, const materials::Fabric& fabric) {
+  const double stiffness = fabric_stiffness(fabric);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(layout.size());
   for (const auto& triangle : garment.triangles) {
     const double area = flat_triangle(garment.pattern[triangle[0]], garment.pattern[triangle[1]],
@@ -220,9 +234,7 @@ Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& 
   return weights;
 }
 
-double fabric_stiffness(const materials::Fabric& fabric) {
-  return std::max(fabric.warp.at(0.0).stiffness, fabric.weft.at(0.0).stiffness);
-}
+namespace {
 
 // Pressure per gap of the stiffest part that touches: computed, never a user's number.
 double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body,
@@ -272,7 +284,7 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
   if (!description.garment) return scene;
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
   scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric, prestretch));
-  scene.set_proximal_weights(proximal_weights(layout, garment, fabric_stiffness(fabric)));
+  scene.set_proximal_weights(proximal_weights(layout, garment, fabric));
   if (contact)
     scene.add(std::make_unique<Contact>(layout, garment_slave(layout, garment), body, deformable,
                                         contact_stiffness(fabric, garment, body, skin),

@@ -61,6 +61,8 @@ class Scene {
   int saddle_rows() const;
   /// Norm of the residual over force rows (N) and over gap rows (m3).
   double force_residual() const;
+  /// The residual along a step: what the energy rises by at its start where there is one, J.
+  double slope(const Eigen::VectorXd& step) const;
   /// What round-off of the positions alone makes of the force residual, N: eps |x| K_ii over the rows. No iteration
   /// brings a body of bulk modulus kappa below about eps kappa |x| h a node.
   double round_off(const State& state) const;
@@ -83,6 +85,9 @@ class Scene {
   Costs costs_;
   bool built_ = false;
 };
+
+/// Weights of the proximal term: membrane stiffness over edge length squared times the area of the node, N/m.
+Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& garment, const materials::Fabric& fabric);
 
 /// Which bodies of the tiers take part.
 enum class Skin { rigid, deformable };

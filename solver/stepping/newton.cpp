@@ -31,6 +31,28 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
   return false;
 }
 
+// Along a step that leads downhill, how far to go: where no multiplier makes a saddle of the balance, the residual is the
+// slope of an energy, and a step may end where that slope has turned upwards by at most half of what it was at the start. A
+// sheet without tension has no stiffness across itself, so that its first steps are far too long. False: no such place.
+bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double& fraction) {
+  const State start = state;
+  const double slope = scene.slope(step);
+  for (int cut = 0; cut < 30; ++cut) {
+    const Tangent tangent = cut == 0 ? Tangent::full : Tangent::none;  // the whole step is good most times
+    state.values = start.values + fraction * step;
+    scene.update(state);
+    if (!scene.assemble(state, tangent)) {
+      fraction *= 0.5;
+      continue;
+    }
+    const double end = scene.slope(step);
+    if (slope >= 0.0 || end <= -0.5 * slope) return tangent == Tangent::full || scene.assemble(state, Tangent::full);
+    fraction *= std::clamp(-slope / (end - slope), 0.2, 0.7);
+  }
+  state = start;
+  return false;
+}
+
 // How exactly a step is worth solving for: as exactly as keeps the convergence quadratic (Eisenstat & Walker 1996: forcing
 // term of the order of the residual), ten times tighter so that the active set does not follow errors of the solution.
 // A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
@@ -105,7 +127,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   State last = state;
   double before = std::numeric_limits<double>::max(), boost = 1.0;
   bool in_place = true;
-  const bool damped = scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
+  const bool downhill = scene.saddle_rows() == 0;
+  const bool damped = !downhill && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
     const Check now = check(scene, state, settings);
     row.iteration = iteration;
@@ -134,7 +157,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (!report.ok) return Outcome::linear_solver_failed;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);
-    if (!move(scene, state, step, row.step)) return Outcome::inadmissible;
+    const bool moved = downhill && in_place ? descend(scene, state, step, row.step) : move(scene, state, step, row.step);
+    if (!moved) return Outcome::inadmissible;
   }
   return Outcome::too_many_iterations;
 }

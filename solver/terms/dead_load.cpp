@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "solver/terms/facet_kind.hpp"
+#include "solver/terms/garment_shape.hpp"
 #include "solver/terms/tabulate.hpp"
 
 namespace snug::solver {
@@ -33,6 +34,18 @@ void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, 
   }
 }
 
+void add_weight(const mesh::GarmentMesh& mesh, double areal_density, const Eigen::Vector3d& gravity, NodalForces& forces) {
+  for (const auto& triangle : mesh.triangles) {
+    Eigen::Matrix<double, 2, 6> pattern;
+    for (int a = 0; a < 6; ++a) pattern.col(a) = mesh.pattern[triangle[a]];
+    for (const TrianglePoint& q : triangle_rule()) {
+      const double dm = q.weight * pattern_point(mesh.order, pattern, q.L).area * areal_density;
+      const auto N = garment_values(mesh.order, q.L);
+      for (int a = 0; a < 6; ++a) forces[mesh.merged[triangle[a]]] += dm * N[a] * gravity;
+    }
+  }
+}
+
 double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets) {
   const mesh::FacetKind kind = facet_kind(mesh.kind);
   double sum = 0.0;
@@ -42,13 +55,16 @@ double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers
   return sum;
 }
 
-DeadLoad::DeadLoad(const Layout& layout, const NodalForces& forces) {
-  for (std::size_t node = 0; node < forces.size(); ++node) {
-    if (forces[node].isZero(0.0)) continue;
-    forces_.push_back(forces[node]);
-    const int first = layout.body(static_cast<int>(node));
-    entries_.push(std::array{first, first + 1, first + 2});
-  }
+DeadLoad::DeadLoad(const Layout& layout, const NodalForces& on_body, const NodalForces& on_garment) {
+  for (std::size_t node = 0; node < on_body.size(); ++node) add(layout.body(static_cast<int>(node)), on_body[node]);
+  for (std::size_t node = 0; node < on_garment.size(); ++node)
+    add(layout.garment(static_cast<int>(node)), on_garment[node]);
+}
+
+void DeadLoad::add(int entry, const Eigen::Vector3d& force) {
+  if (force.isZero(0.0)) return;
+  forces_.push_back(force);
+  entries_.push(std::array{entry, entry + 1, entry + 2});
 }
 
 double DeadLoad::energy(const State& state) const {

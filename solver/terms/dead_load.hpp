@@ -4,11 +4,12 @@
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
+#include "mesh/garment/garment_mesh.hpp"
 #include "solver/terms/term.hpp"
 
 namespace snug::solver {
 
-/// Nodal forces, N, one a node of the body.
+/// Nodal forces, N, one a node of the body or of the garment.
 using NodalForces = std::vector<Eigen::Vector3d>;
 
 /// Adds  int N_a t dA  over the facets of the reference body; `traction` in Pa.
@@ -17,13 +18,15 @@ void add_traction(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeN
 /// Adds  int N_a rho g dV  ; `density[l]` of layer l in kg/m3, `gravity` in m/s2.
 void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, const Eigen::Vector3d& gravity,
                 NodalForces& forces);
+/// Adds  int N_a rho g dA  of a garment; `areal_density` in kg/m2.
+void add_weight(const mesh::GarmentMesh& mesh, double areal_density, const Eigen::Vector3d& gravity, NodalForces& forces);
 /// Area of facets of the reference body, m2.
 double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets);
 
 /// Energy  -s sum_a f_a . x_a.
 class DeadLoad : public Term {
  public:
-  DeadLoad(const Layout& layout, const NodalForces& forces);
+  DeadLoad(const Layout& layout, const NodalForces& on_body, const NodalForces& on_garment = {});
 
   std::string name() const override { return "dead load"; }
   const ElementEntries& entries() const override { return entries_; }
@@ -33,6 +36,8 @@ class DeadLoad : public Term {
   bool is_load() const override { return true; }
 
  private:
+  void add(int entry, const Eigen::Vector3d& force);
+
   std::vector<Eigen::Vector3d> forces_;  ///< of the loaded nodes, one an element
   ElementEntries entries_;
 };

@@ -29,14 +29,15 @@ FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& me
     for (int a = 0; a < 6; ++a) {
       element.nodes[a] = mesh.merged[corner[a]];
       placed.col(a) = mesh.placed[corner[a]];
+      element.pattern.col(a) = mesh.pattern[corner[a]];
       for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(element.nodes[a], c);
     }
-    const FlatTriangle flat = flat_triangle(mesh.pattern[corner[0]], mesh.pattern[corner[1]], mesh.pattern[corner[2]]);
-    element.flat_gradient = flat.gradient, element.area = flat.area;
     for (const TrianglePoint& q : triangle_rule()) {
       Point point;
-      point.gradient = (garment_derivatives(order_, q.L) * flat.gradient).transpose();
+      const PatternPoint flat = pattern_point(order_, element.pattern, q.L);
+      point.gradient = flat.gradient.transpose();
       point.weight = q.weight * flat.area;
+      element.area += point.weight;
       const Eigen::Matrix<double, 3, 2> F0 = placed * point.gradient.transpose();
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> U0(Eigen::Matrix2d(F0.transpose() * F0));
       point.axes = U0.eigenvectors();
@@ -120,7 +121,7 @@ double FabricMembrane::step_bound(const State& state, const Eigen::VectorXd& dir
 
 double FabricMembrane::area_ratio(const State& state, int triangle, const Eigen::Vector3d& L) const {
   const Element& element = elements_[triangle];
-  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * (garment_derivatives(order_, L) * element.flat_gradient);
+  const Eigen::Matrix<double, 3, 2> F = positions(state, element) * pattern_point(order_, element.pattern, L).gradient;
   return F.col(0).cross(F.col(1)).norm();
 }
 

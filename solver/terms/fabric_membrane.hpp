@@ -52,7 +52,7 @@ class FabricMembrane : public Term {
   };
   struct Element {
     std::array<int, 6> nodes;              ///< representative nodes
-    Eigen::Matrix<double, 3, 2> flat_gradient;  ///< of the area coordinates, 1/m
+    Eigen::Matrix<double, 2, 6> pattern;   ///< nodes on the pattern, m
     double area = 0.0;                     ///< on the pattern, m2
     Eigen::Matrix2d frame;                 ///< columns: warp, weft on the pattern
     std::vector<Point> points;

@@ -2,7 +2,19 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <Eigen/Dense>
+
 namespace snug::solver {
+
+Eigen::Matrix<double, 3, 2> area_coordinate_derivatives() {
+  return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
+}
+
+PatternPoint pattern_point(int order, const Eigen::Matrix<double, 2, 6>& nodes, const Eigen::Vector3d& L) {
+  const Eigen::Matrix<double, 6, 2> dN = garment_derivatives(order, L) * area_coordinate_derivatives();
+  const Eigen::Matrix2d tangents = nodes * dN;
+  return {dN * tangents.inverse(), 0.5 * tangents.determinant()};
+}
 
 FlatTriangle flat_triangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   FlatTriangle t;

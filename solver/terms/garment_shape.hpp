@@ -41,6 +41,15 @@ inline Eigen::Matrix<double, 6, 3> garment_derivatives(int order, const Eigen::V
   return D;
 }
 
+/// The pattern at L of a triangle with `nodes` (2 x 6, m), whose edges bend with their mid-edge nodes (order 2).
+struct PatternPoint {
+  Eigen::Matrix<double, 6, 2> gradient;  ///< of the shape functions along the pattern, 1/m
+  double area = 0.0;                     ///< m2, of the triangle if it were everywhere as dense as here
+};
+PatternPoint pattern_point(int order, const Eigen::Matrix<double, 2, 6>& nodes, const Eigen::Vector3d& L);
+/// d L / d (xi, eta), 3 x 2.
+Eigen::Matrix<double, 3, 2> area_coordinate_derivatives();
+
 /// Gradients of L on a straight triangle, 3 x 2 (1/m), and its area (m2, positive for counter-clockwise vertices).
 struct FlatTriangle {
   Eigen::Matrix<double, 3, 2> gradient;

@@ -3,6 +3,7 @@
 
 #include "solver/stepping/newton.hpp"
 #include "solver/terms/contact.hpp"
+#include "solver/terms/dead_load.hpp"
 #include "solver/terms/fabric_membrane.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/press.hpp"
@@ -11,37 +12,6 @@ namespace snug::tests {
 namespace {
 
 using solver::Layout, solver::State;
-
-/// A dead load p (Pa of the pattern) along -z on every triangle.
-class DeadLoad final : public solver::Term {
- public:
-  DeadLoad(const Layout& layout, const mesh::GarmentMesh& mesh, double pressure) : pressure_(pressure) {
-    for (const auto& t : mesh.triangles) {
-      std::array<int, 18> entries{};
-      for (int a = 0; a < 6; ++a)
-        for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(t[a], c);
-      entries_.push(entries);
-      area_.push_back(solver::flat_triangle(mesh.pattern[t[0]], mesh.pattern[t[1]], mesh.pattern[t[2]]).area);
-    }
-  }
-  std::string name() const override { return "dead load"; }
-  const solver::ElementEntries& entries() const override { return entries_; }
-  bool assemble(const State&, solver::Tangent tangent, solver::Sink& sink) const override {
-    const std::vector<double> none(18 * 18, 0.0);
-    for (std::size_t e = 0; e < area_.size(); ++e) {
-      std::array<double, 18> residual{};
-      for (int a = 3; a < 6; ++a) residual[3 * a + 2] = pressure_ * area_[e] / 3.0;  // int N_a of a mid-edge node
-      sink.add(static_cast<int>(e), residual,
-               solver::wanted(tangent) ? std::span<const double>(none) : std::span<const double>());
-    }
-    return true;
-  }
-
- private:
-  double pressure_;
-  solver::ElementEntries entries_;
-  std::vector<double> area_;
-};
 
 // A sheet pressed by a uniform dead load on to a block whose mesh it does not match transmits it uniformly: the
 // quadrature is cut along the facets, so that multipliers and stress are exact up to round-off (reference book 3: 1e-10
@@ -64,7 +34,9 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   scene.add(std::make_unique<solver::FabricMembrane>(layout, garment, materials::find_fabric(cloth), 1.05));
   scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, garment), body, true, 1e6,
                                               solver::GapBasis::hat));
-  scene.add(std::make_unique<DeadLoad>(layout, garment, pressure));
+  solver::NodalForces weight(garment.pattern.size(), Eigen::Vector3d::Zero());
+  solver::add_weight(garment, 1.0, {0.0, 0.0, -pressure}, weight);  // Pa of the pattern
+  scene.add(std::make_unique<solver::DeadLoad>(layout, solver::NodalForces(), weight));
   State state = solver::placed_state(layout, body, garment);
   state.load = 1.0;
   solver::NewtonSettings settings;

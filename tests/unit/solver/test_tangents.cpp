@@ -161,6 +161,41 @@ TEST(Tangents, SkinPressureIsExactAndSymmetricWhereTheCutPlanesStand) {
   EXPECT_LE(asymmetry(assemble(load, shaken.state, Tangent::full).tangent), 1e-12);
 }
 
+/// What the symmetric part leaves out is a force of the edges' supports, whose rows do not count.
+TEST(Tangents, PressureOnAGarmentIsExactWhereItsEdgesStayInAPlane) {
+  Shaken shaken(Skin::rigid);
+  const solver::Layout& layout = shaken.scene.layout();
+  const solver::PressureLoad load(layout, shaken.meshes.garment, -3000.0);
+  Eigen::VectorXd free = Eigen::VectorXd::Ones(layout.size());
+  for (const auto& [name, nodes] : shaken.meshes.garment.edges)
+    for (const int node : nodes) {
+      shaken.state.values[layout.garment(node, 2)] = name == "upper" ? 0.06 : 0.0;
+      free[layout.garment(node, 2)] = 0.0;
+    }
+  const Eigen::VectorXd direction = shaken.direction().cwiseProduct(free);
+  const auto residual_at = [&](double s) {
+    State moved = shaken.state;
+    moved.values += s * direction;
+    return assemble(load, moved, Tangent::none).residual;
+  };
+  const Eigen::VectorXd rate = (residual_at(1e-3) - residual_at(-1e-3)) / 2e-3;  // exact: the force is quadratic
+  const Eigen::VectorXd error = rate - assemble(load, shaken.state, Tangent::full).tangent * direction;
+  EXPECT_LE(error.cwiseProduct(free).norm(), 1e-11 * rate.norm());
+  EXPECT_GT(error.norm(), 1e-3 * rate.norm());
+}
+
+// The pressure blows up: on a closed sleeve between two planes its force along outward normals does the work p dV.
+TEST(Tangents, NegativePressureOnAGarmentPushesItOutwards) {
+  Shaken shaken(Skin::rigid);
+  const solver::Layout& layout = shaken.scene.layout();
+  const solver::PressureLoad load(layout, shaken.meshes.garment, -3000.0);
+  const Eigen::VectorXd force = -assemble(load, shaken.state, Tangent::none).residual;
+  double outwards = 0.0;
+  for (int node = 0; node < layout.garment_nodes; ++node)
+    outwards += force.segment<2>(layout.garment(node)).dot(shaken.state.values.segment<2>(layout.garment(node)));
+  EXPECT_GT(outwards, 0.0);
+}
+
 TEST(StepBound, AnInvertingDirectionIsCutBeforeACellInverts) {
   const Shaken shaken(Skin::deformable);
   const auto& tissue = *shaken.scene.find<solver::Tissue>();
