@@ -49,6 +49,15 @@ TEST(Friction, ElasticBandOfTheBookIsHeldWithItsTension) {
   EXPECT_TRUE(a.converged);
   tests::book("elastic band round a drum", "tension of the held end, N/m", a.start_tension, 100.0, 5e-3, "closed form, reference book 3");
   tests::book("elastic band round a drum", "tension of the pulled end, N/m", a.end_tension, 256.63323952, 5e-3, "closed form, reference book 3");
+  double pressure = 0.0, shear = 0.0;
+  for (const tests::StripPoint& at : a.middle) {
+    if (at.angle < 0.2 || at.angle > s.span) continue;  // three edges and more from where the ends leave
+    const double tension = a.start_tension * std::exp(s.friction * (at.angle - s.lead_start));
+    pressure = std::max(pressure, std::abs(at.pressure * s.radius / tension - 1.0));
+    shear = std::max(shear, std::abs(at.shear / (s.friction * at.pressure) - 1.0));
+  }
+  tests::book("elastic band round a drum", "largest deviation of p from T/R along the arc", pressure, 0.0, 1e-2, "p = T/R, reference book 3");
+  tests::book("elastic band round a drum", "largest deviation of tau from mu p along the arc", shear, 0.0, 1e-2, "tau = mu p, reference book 3");
 }
 
 /// The ratio comes nearer to the exact one with a shorter elastic slip on the same mesh: a stick that is too soft lowers it.

@@ -28,11 +28,17 @@ struct Strip {
   double skin_cell = 1.37;                         ///< skin facet over garment edge: the meshes never match
 };
 
+/// What acts at a vertex of the band's middle line; pressures per current area.
+struct StripPoint {
+  double angle = 0.0, pressure = 0.0, shear = 0.0;  ///< rad, Pa
+};
+
 struct StripAnswer {
   bool converged = false;
   int increments = 0, iterations = 0;
   double start_tension = 0.0, end_tension = 0.0;   ///< N per rest width, reactions of the ends
   double slip_arc = 0.0;                           ///< rad, from the end back to the first vertex row that sticks
+  std::vector<StripPoint> middle;
   std::string message;
 };
 
@@ -116,7 +122,7 @@ inline double edge_tension(const Strip& s, const solver::Scene& scene, const sol
   return std::abs(sum) / strip_width(s);
 }
 
-inline double slip_arc(const Strip& s, const mesh::GarmentMesh& mesh, const solver::Scene& scene, const solver::State& state) {
+inline double slip_arc(const Strip& s, const solver::Scene& scene, const solver::State& state) {
   const auto* friction = scene.find<solver::Friction>();
   const auto* contact = scene.find<solver::Contact>();
   if (!friction) return 0.0;
@@ -128,8 +134,28 @@ inline double slip_arc(const Strip& s, const mesh::GarmentMesh& mesh, const solv
     const Eigen::Vector3d x = state.values.segment<3>(scene.layout().garment(node));
     stuck = std::max(stuck, std::atan2(x.y(), x.x()));
   }
-  (void)mesh;
   return s.span + s.lead_end - stuck;
+}
+
+/// Vertices of the middle line in order along the band. Its width does not change, so that the stretch along it turns rest
+/// areas into current ones.
+inline std::vector<StripPoint> middle_line(const Strip& s, const mesh::GarmentMesh& mesh, const solver::Scene& scene,
+                                           const solver::State& state) {
+  const auto& contact = *scene.find<solver::Contact>();
+  const auto tractions = scene.find<solver::Friction>()->vertex_tractions(state);
+  const int columns = 2 * s.cells + 1, first = 2 * columns;
+  const auto angle = [&](int column) {
+    const Eigen::Vector3d x = state.values.segment<3>(scene.layout().garment(first + column));
+    return std::atan2(x.y(), x.x());
+  };
+  std::vector<StripPoint> points;
+  for (int column = 2; column + 2 < columns; column += 2) {
+    const int i = contact.multiplier_of(first + column);
+    const double rest = mesh.pattern[first + column + 1].x() - mesh.pattern[first + column - 1].x();
+    const double stretch = s.radius * std::remainder(angle(column + 1) - angle(column - 1), 2.0 * std::numbers::pi) / rest;
+    points.push_back({angle(column), state.values[scene.layout().multiplier(i)] / stretch, tractions[i].traction.norm() / stretch});
+  }
+  return points;
 }
 
 inline StripAnswer run(const Strip& s, double first_step = 0.1, const solver::IterationSink& sink = [](const auto&) {}) {
@@ -159,7 +185,8 @@ inline StripAnswer run(const Strip& s, double first_step = 0.1, const solver::It
   answer.converged = path.complete, answer.increments = path.increments, answer.message = path.message;
   answer.start_tension = edge_tension(s, scene, path.state, mesh.edges.at("start"));
   answer.end_tension = edge_tension(s, scene, path.state, mesh.edges.at("end"));
-  answer.slip_arc = slip_arc(s, mesh, scene, path.state);
+  if (s.friction > 0.0) answer.middle = middle_line(s, mesh, scene, path.state);
+  answer.slip_arc = slip_arc(s, scene, path.state);
   return answer;
 }
 
