@@ -56,6 +56,15 @@ inline std::array<double, 3> tangent_errors(solver::Term& term, const solver::St
   return errors;
 }
 
+/// Second order: the tangent is the derivative of the residual.
+inline void expect_factor_four(solver::Term& term, const solver::State& state, const Eigen::VectorXd& direction) {
+  const auto errors = tangent_errors(term, state, direction, 4e-6);
+  EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.3) << term.name() << ": " << errors[0] << ", " << errors[1];
+  EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.3) << term.name() << ": " << errors[1] << ", " << errors[2];
+}
+
+inline double asymmetry(const Eigen::MatrixXd& matrix) { return (matrix - matrix.transpose()).norm() / matrix.norm(); }
+
 inline Eigen::VectorXd random_vector(Eigen::Index size, double amplitude, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-amplitude, amplitude);

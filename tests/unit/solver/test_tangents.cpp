@@ -64,14 +64,6 @@ struct Shaken {
   }
 };
 
-double asymmetry(const Eigen::MatrixXd& matrix) { return (matrix - matrix.transpose()).norm() / matrix.norm(); }
-
-void expect_factor_four(Term& term, const State& state, const Eigen::VectorXd& direction) {
-  const auto errors = tangent_errors(term, state, direction, 4e-6);
-  EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.3) << term.name() << ": " << errors[0] << ", " << errors[1];
-  EXPECT_NEAR(errors[1] / errors[2], 4.0, 0.3) << term.name() << ": " << errors[1] << ", " << errors[2];
-}
-
 void expect_energy_slope(const Term& term, const State& state, const Eigen::VectorXd& direction) {
   const auto energy = [&](double s) {
     State moved = state;
