@@ -9,6 +9,7 @@ namespace {
 
 NewtonSettings increment_settings(const PathSettings& path, bool last, int failures) {
   NewtonSettings settings = path.newton;
+  settings.recut = last;
   if (!last) {
     settings.residual = path.intermediate_residual;
     settings.complementarity = 1e-2;

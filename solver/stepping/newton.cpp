@@ -53,12 +53,15 @@ bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double& fr
   return false;
 }
 
+// Residual below which the answer is near enough for the quadrature to be cut for good.
+constexpr double near = 1e-3;
+
 // How exactly a step is worth solving for: as exactly as keeps the convergence quadratic (Eisenstat & Walker 1996: forcing
 // term of the order of the residual), ten times tighter so that the active set does not follow errors of the solution.
 // A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
 // from the solution, where the tangent changes too much from step to step and its inertia is in doubt.
 Lag forcing(const NewtonSettings& settings, double residual, bool settled) {
-  return {settings.may_lag && settled && residual < 1e-3, std::clamp(0.1 * residual, 1e-10, 1e-4)};
+  return {settings.may_lag && settled && residual < near, std::clamp(0.1 * residual, 1e-10, 1e-4)};
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
@@ -126,11 +129,18 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   Patience patience;
   State last = state;
   double before = std::numeric_limits<double>::max(), boost = 1.0;
-  bool in_place = true;
+  bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
   const bool downhill = scene.saddle_rows() == 0;
   const bool damped = !downhill && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
-    const Check now = check(scene, state, settings);
+    Check now = check(scene, state, settings);
+    if (!cut && now.residual < near && now.measure.changed == 0) {
+      cut = true;
+      scene.renew(state);
+      scene.update(state);
+      if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
+      now = check(scene, state, settings);
+    }
     row.iteration = iteration;
     row.residual = now.residual, row.complementarity = now.complementarity;
     row.contact_nodes = now.measure.active, row.changed = now.measure.changed;

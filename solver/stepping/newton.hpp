@@ -18,6 +18,8 @@ struct NewtonSettings {
   int iterations = 30;
   double proximal = 1e-4;         ///< times the relative residual; vanishes at convergence, so it leaves no bias
   double convex_above = 0.02;     ///< relative residual above which only the convex part of the tangent is used
+  bool recut = false;             ///< renews the quadrature of contact near the solution, so that it is that of the answer
+                                  ///< and not of the state that the increment started from
   bool may_lag = false;           ///< solve with the last factor near the solution: pays where a body is factored
 };
 

@@ -267,7 +267,9 @@ class Run {
       row.increment = 1;
       rows(row);
     };
-    released.complete = newton(scene, released.state, settings(Skin::deformable).newton, in_one_step) == Outcome::converged;
+    NewtonSettings newton_settings = settings(Skin::deformable).newton;
+    newton_settings.recut = true;
+    released.complete = newton(scene, released.state, newton_settings, in_one_step) == Outcome::converged;
     return released;
   }
 
