@@ -13,6 +13,27 @@
 
 namespace snug::tests {
 
+/// Places 0 .. length over the unit interval: `even` cells of `size`, then `growing` ones of which each is larger than the one
+/// before by the same factor.
+class Graded {
+ public:
+  Graded(double size, int even, int growing, double length) : size_(size), even_(even), growing_(growing) {
+    double low = 1.0 + 1e-9, high = 3.0;
+    while (high - low > 1e-14) (at_end(growth_ = 0.5 * (low + high)) < length ? low : high) = growth_;
+  }
+  int cells() const { return even_ + growing_; }
+  double operator()(double u) const {
+    const double k = u * cells() - even_;
+    return size_ * (k <= 0.0 ? even_ + k : even_ + grown(growth_, k));
+  }
+
+ private:
+  static double grown(double q, double k) { return q * (std::pow(q, k) - 1.0) / (q - 1.0); }  // q + q^2 + .. q^k
+  double at_end(double q) const { return size_ * (even_ + grown(q, growing_)); }
+  double size_, growth_ = 1.0;
+  int even_, growing_;
+};
+
 inline materials::SolidLaw linear_elastic(double youngs_modulus, double poisson) {
   return materials::LinearElastic{youngs_modulus, poisson};
 }
@@ -39,6 +60,10 @@ struct TwoSolids {
       : master(std::move(m)), slave(std::move(s)), layout(number()), fixed(layout),
         forces(layout.body_nodes, Eigen::Vector3d::Zero()) {
     for (int i = 0; i < layout.pressures; ++i) fixed.fix(layout.pressure(i));  // the law has none
+    std::set<int> used = nodes_of(master);
+    used.merge(nodes_of(slave));
+    for (int node = 0; node < layout.body_nodes; ++node)
+      for (int c = 0; c < 3 && !used.contains(node); ++c) fixed.fix(layout.body(node, c));
     state = solver::placed_state(layout, master.mesh, {});
     state.load = 1.0;
   }
@@ -46,6 +71,15 @@ struct TwoSolids {
   /// A component of all nodes of a surface stays where the state has it.
   void hold(const Solid& solid, const std::string& surface, int component) {
     for (const int node : solid.mesh.surface(surface)->nodes) fixed.fix(layout.body(node, component));
+  }
+
+  /// A rigid plate on a surface of the slave, which moves along y under a force (N) along -y. What holds the slave up is
+  /// contact: it starts `overlap` (m) deep in the master.
+  void press(const std::string& surface, double force, double overlap) {
+    const auto& plate = slave.mesh.surface(surface)->nodes;
+    for (const int node : plate) fixed.master[layout.body(node, 1)] = layout.body(plate.front(), 1);
+    forces[plate.front()].y() -= force;
+    for (const int node : nodes_of(slave)) state.values[layout.body(node, 1)] -= overlap;
   }
 
   solver::Scene scene() const {
@@ -84,6 +118,17 @@ struct TwoSolids {
     double force = 0.0, area = 0.0;
     for (const Vertex& v : vertices()) force += v.pressure * v.area, area += v.area;
     return force / area;
+  }
+  /// Pressure by a coordinate of the rest shape: the mean over the vertices that share it to 1e-6 `length`.
+  std::map<double, double> profile(double length, const std::function<double(const Eigen::Vector3d&)>& coordinate) const {
+    std::map<long, std::pair<double, int>> rows;
+    for (const Vertex& v : vertices()) {
+      auto& [sum, count] = rows[std::lround(1e6 * coordinate(reference(v.node)) / length)];
+      sum += v.pressure, ++count;
+    }
+    std::map<double, double> list;
+    for (const auto& [x, row] : rows) list[1e-6 * length * static_cast<double>(x)] = row.first / row.second;
+    return list;
   }
   /// Largest relative deviation of a vertex's pressure from p.
   double unevenness(double p) const {
@@ -146,6 +191,18 @@ inline std::map<int, Eigen::Matrix3d> nodal_stress(const TwoSolids& two, const S
   }
   for (auto& [node, sum] : stress) sum /= cells[node];
   return stress;
+}
+
+/// Root mean square of profile / peak - sqrt(1 - (x/a)^2) over the vertices to 1.2 a.
+inline double error_of_ellipse(const std::map<double, double>& profile, double a, double peak) {
+  double squares = 0.0;
+  int count = 0;
+  for (const auto& [x, p] : profile) {
+    if (x > 1.2 * a) continue;
+    const double exact = x < a ? std::sqrt(1.0 - x * x / (a * a)) : 0.0;
+    squares += (p / peak - exact) * (p / peak - exact), ++count;
+  }
+  return std::sqrt(squares / count);
 }
 
 }  // namespace snug::tests
