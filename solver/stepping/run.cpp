@@ -3,21 +3,18 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 
-#include "solver/algebra/communicator.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/donning.hpp"
 #include "solver/stepping/load_path.hpp"
+#include "solver/stepping/run_log.hpp"
 
 namespace snug::solver {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 /// Contact pressure over the softest (stiffened) shear modulus where a release step by step starts: small strains.
 constexpr double gentle_release = 0.3;
@@ -26,13 +23,13 @@ constexpr double gentle_release = 0.3;
 class Run {
  public:
   Run(const input::Case& description, const Meshes& meshes, const Observer& observer, const KeptStates& kept)
-      : case_(description), meshes_(meshes), observer_(observer), kept_(kept), start_(Clock::now()) {
+      : case_(description), meshes_(meshes), kept_(kept), log_(result_, observer) {
     const Plan parts = plan(description, meshes);
     result_.title = description.title;
     result_.tier = parts.tier;
     result_.unknowns = parts.unknowns;
     result_.parts_in = parts.parts_in, result_.parts_out = parts.parts_out;
-    expected_ = parts.seconds;
+    log_.expect(parts.seconds);
     result_.body = body_result(meshes.body, parts.tier == "L4");
   }
 
@@ -55,63 +52,12 @@ class Run {
   }
 
  private:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-  /// Adds the time since the last call to the phase `name`.
-  void phase(const std::string& name) {
-    const double now = seconds();
-    for (auto& p : result_.phases)
-      if (p.name == name) {
-        p.seconds += now - last_phase_;
-        last_phase_ = now;
-        return;
-      }
-    result_.phases.push_back({name, now - last_phase_});
-    last_phase_ = now;
-  }
-
-  /// Tells where the time of the phase `name` went, from the scene that it was spent in.
-  void account(Scene& scene, const std::string& name) {
-    const Costs fresh = scene.take_costs();
-    Costs& costs = spent_[name];
-    costs += fresh;
-    result_.linear_solver["factorisations"] += fresh.factorisations;
-    result_.linear_solver["solutions"] += fresh.solutions;
-    result_.linear_solver["krylov_iterations"] += fresh.iterations;
-    result_.linear_solver["ranks"] = ranks();
-    for (auto& p : result_.phases)
-      if (p.name == name)
-        p.parts = {{"search", costs.search},
-                   {"pattern", costs.pattern},
-                   {"assembly", costs.assembly},
-                   {"factorisation", costs.factorisation},
-                   {"solution", costs.solution}};
-  }
-
-  IterationSink sink(const std::string& name) {
-    return [this, name](postproc::Iteration row) {
-      row.increment += increments_before_;
-      row.seconds = seconds();
-      result_.history.push_back(row);
-      if (observer_)
-        observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, row.seconds, expected_});
-    };
-  }
-
-  /// Rows of a path that is not part of the history.
-  IterationSink quiet(const std::string& name) {
-    return [this, name](const postproc::Iteration& row) {
-      if (observer_)
-        observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, seconds(), expected_});
-    };
-  }
-
   void laplace() {
     const auto fabric = materials::find_fabric(case_.garment->fabric);
     const auto l0 = laplace_pressure(*case_.garment, fabric, meshes_.limb, meshes_.body);
     result_.mean_laplace_pressure = l0.mean;
     result_.body.laplace_pressure = l0.pressure;
-    phase("law of Laplace");
+    log_.phase("law of Laplace");
   }
 
   void finish_laplace() {
@@ -152,42 +98,39 @@ class Run {
   }
 
   bool accept(Scene& scene, const PathResult& path, const std::string& name) {
-    result_.increments = increments_before_ += path.increments;
-    result_.iterations = static_cast<int>(result_.history.size());
-    result_.status = path.complete ? "converged" : increments_before_ > 0 ? "partial" : "failed";
+    log_.end_path(scene, path.increments, name);
+    result_.status = path.complete ? "converged" : log_.increments() > 0 ? "partial" : "failed";
     if (!path.complete)
       result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", name, 100.0 * path.reached, path.message);
-    phase(name);
-    account(scene, name);
     ++stages_;
     return path.complete;
   }
 
   void one_path(Skin skin, const std::string& name) {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, skin);
-    phase("set-up");
+    log_.phase("set-up");
     const State placed = placed_state(scene.layout(), meshes_.body, meshes_.garment);
     keep(scene, placed, 0.0);
-    const auto path = follow_path(scene, placed, tightening(), settings(skin), sink(name));
+    const auto path = follow_path(scene, placed, tightening(), settings(skin), log_.sink(name));
     accept(scene, path, name);
     fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
-    phase("results");
+    log_.phase("results");
   }
 
   /// The garment tightens on the rigid skin first (tier L1, cheap and robust: its path is fictitious anyway); the body
   /// is then released under the tightened garment in one increment. Where that fails, the body takes the whole path.
   void garment_then_body() {
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
-    phase("set-up");
+    log_.phase("set-up");
     State state = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
     keep(rigid, state, 0.0);
-    const auto path = follow_path(rigid, state, tightening(), settings(Skin::rigid), sink("rigid skin"));
+    const auto path = follow_path(rigid, state, tightening(), settings(Skin::rigid), log_.sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
     rigid.drop_matrix();  // the body needs the memory
     if (complete && result_.tier == "L4" && !stray(rigid, path.state)) return release_body(rigid, path.state);
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
     if (complete) name_sliding();
-    phase("results");
+    log_.phase("results");
   }
 
   /// The path of the tightening is fictitious, so that the garment tightens on the rigid skin without friction up to the
@@ -195,20 +138,20 @@ class Run {
   void garment_with_friction() {
     Scene smooth = make_scene(without_friction(case_), meshes_.body, meshes_.garment, Skin::rigid);
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
-    phase("set-up");
+    log_.phase("set-up");
     std::map<double, State> at;
     State state = placed_state(smooth.layout(), meshes_.body, meshes_.garment);
     keep(smooth, state, 0.0);
     for (const double to : donning_stops(case_)) {
-      const auto path = follow_path(smooth, state, tightening(state.load, to), settings(Skin::rigid), sink("rigid skin"));
+      const auto path = follow_path(smooth, state, tightening(state.load, to), settings(Skin::rigid), log_.sink("rigid skin"));
       if (!accept(smooth, path, "rigid skin")) {
         fill_result(smooth, path.state, meshes_.body, meshes_.garment, result_);
-        return phase("results");
+        return log_.phase("results");
       }
       at[to] = state = path.state;
     }
     const double from = case_.contact->friction_from;
-    const auto path = with_friction(rigid, at.at(from), from, sink("friction"), settings(Skin::rigid));
+    const auto path = with_friction(rigid, at.at(from), from, log_.sink("friction"), settings(Skin::rigid));
     const bool complete = accept(rigid, path, "friction");
     if (complete) {
       result_.donning = {donning_row("without friction", 1.0, true, smooth, state, meshes_),
@@ -219,7 +162,7 @@ class Run {
     }
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
     if (!complete) name_slipping(smooth, state);
-    phase("results");
+    log_.phase("results");
   }
 
   /// Two more paths on the rigid skin show what the assumption changes; `at`: frictionless states on the way.
@@ -229,11 +172,11 @@ class Run {
     PathSettings aside = settings(Skin::rigid);
     aside.accepted = nullptr;  // their states are not on the way to the answer
     for (const double from : donning_variations(case_)) {
-      const auto path = with_friction(rigid, at.at(from), from, quiet(donning_name(from)), aside);
+      const auto path = with_friction(rigid, at.at(from), from, log_.quiet(donning_name(from)), aside);
       result_.donning.push_back(donning_row(donning_name(from), from, path.complete, rigid, path.state, meshes_));
     }
-    phase(name);
-    account(rigid, name);
+    log_.phase(name);
+    log_.account(rigid, name);
   }
 
   /// The rigid skin carries any pressure; tissue gives way. Where it gives way little (pressure below its shear modulus) the
@@ -241,14 +184,14 @@ class Run {
   /// its stiffness falls to its own from where its answer is small.
   void release_body(const Scene& rigid, const State& on_rigid) {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
-    phase("set-up");
+    log_.phase("set-up");
     const double give = softest_shear_modulus() / rigid.measure(on_rigid).reference_pressure;
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
     PathResult released{start, 0.0, false, 0, ""};
     if (give > 1.0 && kept_.steps == 0) released = release_at_once(scene, start);
     if (!released.complete)
       released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
-                             sink("body, step by step"));
+                             log_.sink("body, step by step"));
     accept(scene, released, "body");
     if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
@@ -257,12 +200,12 @@ class Run {
       fill_result(scene, released.state, meshes_.body, meshes_.garment, result_);
     }
     if (released.complete) name_sliding();
-    phase("results");
+    log_.phase("results");
   }
 
   PathResult release_at_once(Scene& scene, const State& start) {
     PathResult released{start, 1.0, false, 1, ""};
-    const IterationSink rows = sink("body");
+    const IterationSink rows = log_.sink("body");
     const auto in_one_step = [&](postproc::Iteration row) {
       row.increment = 1;
       rows(row);
@@ -310,13 +253,10 @@ class Run {
 
   const input::Case& case_;
   const Meshes& meshes_;
-  const Observer& observer_;
   const KeptStates& kept_;
-  Clock::time_point start_;
-  double last_phase_ = 0.0, expected_ = 0.0;
-  int increments_before_ = 0, stages_ = 0;
+  int stages_ = 0;
   postproc::RunResult result_;
-  std::map<std::string, Costs> spent_;  ///< a phase
+  RunLog log_;
 };
 
 }  // namespace

@@ -69,6 +69,22 @@ inline mesh::Model octant(int n, double radius, double E, double nu, double thic
   return model;
 }
 
+/// A quarter of a flat disc, n x n triangles from the middle outwards.
+inline mesh::Model quarter_disc(int n, double radius, double E, double nu, double thickness) {
+  mesh::Model model = empty_shell(E, nu, thickness);
+  ShellLattice lattice{model, [&](int i, int j) {
+                         const double angle = i + j > 0 ? 0.5 * std::numbers::pi * j / (i + j) : 0.0;
+                         const double r = radius * (i + j) / (2.0 * n);
+                         return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), 0.0);
+                       }};
+  for (int j = 0; j < 2 * n; j += 2)
+    for (int i = 0; i + j < 2 * n; i += 2) {
+      lattice.triangle({i, j}, {i + 2, j}, {i, j + 2});
+      if (i + j + 2 < 2 * n) lattice.triangle({i + 2, j}, {i + 2, j + 2}, {i, j + 2});
+    }
+  return model;
+}
+
 /// Holds components (0 to 5: x, y, z and the rotations about them) of the nodes that `holds`.
 inline void hold(mesh::Model& model, const Holds& holds, const std::vector<int>& components) {
   for (const mesh::ModelNode& node : model.nodes)

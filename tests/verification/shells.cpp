@@ -28,6 +28,48 @@ TEST(Shells, AClampedSquarePlateBendsAsKirchhoffSaysAtAnyThickness) {
     book("clamped plate", fmt::format("w_c D/(q L^4), t/L = {:.0e}", thickness), clamped_plate(48, thickness), exact, 1e-3, "reference book 2.2 (Ritz)");
 }
 
+enum class Edge { clamped, supported };
+
+/// The middle of a plate under a small uniform load over q / D: of a square of side 1 m or a disc of radius 1 m.
+double plate_middle(bool disc, Edge edge, int n) {
+  const double E = 1e6, nu = 0.3, thickness = 1e-2, D = E * std::pow(thickness, 3) / (12.0 * (1.0 - nu * nu));
+  mesh::Model model = disc ? quarter_disc(n, 1.0, E, nu, thickness)
+                           : square_shell(n, n, [](double u, double v) { return Eigen::Vector3d(0.5 * u, 0.5 * v, 0.0); }, E, nu, thickness);
+  const auto border = [&](const Eigen::Vector3d& x) { return disc ? x.norm() > 1.0 - 1e-9 : x.x() > 0.5 - 1e-9 || x.y() > 0.5 - 1e-9; };
+  hold(model, border, edge == Edge::clamped ? std::vector{0, 1, 2, 3, 4, 5} : std::vector{0, 1, 2});
+  hold_symmetry(model, {0, 1});
+  BlockCase c = shell_case(model);
+  const double q = 1e-2 * thickness * D;
+  c.traction("skin", 0.0, 0.0, q);
+  return solve(c, 1.0).displacement(c.mesh, {0.0, 0.0, 0.0}).z() * D / q;
+}
+
+// The plates of the textbook: Navier's simply supported square, clamped and simply supported discs.
+TEST(Shells, SupportedSquaresAndDiscsBendAsPlateTheorySays) {
+  struct Row { std::string name; bool disc; Edge edge; double exact; };
+  for (const Row& row : {Row{"simply supported square, w_c D/(q L^4)", false, Edge::supported, 0.004062353},
+                         Row{"clamped disc, w_c D/(q a^4)", true, Edge::clamped, 1.0 / 64.0},
+                         Row{"simply supported disc, nu = 0.3, w_c D/(q a^4)", true, Edge::supported, 0.063701923}})
+    book("plates", row.name, plate_middle(row.disc, row.edge, row.disc ? 144 : 48), row.exact, 1e-3, "reference book 2.2 (Navier; closed form)");
+}
+
+// A strip that hangs from its clamped end by its own weight, q = w L^3/B (the cantilever test of fabrics), comes to the place
+// of the heavy elastica.
+TEST(Shells, AStripUnderItsOwnWeightHangsAsTheHeavyElastica) {
+  struct Row { double q, x, y; };
+  const double E = 1.2e6, thickness = 1e-3, B = E * std::pow(thickness, 3) / 12.0;
+  for (const Row& row : {Row{2.0, 0.9668929469, 0.2385065829}, Row{8.0, 0.7244247341, 0.6406307174}, Row{20.0, 0.4452320522, 0.8298814434}}) {
+    mesh::Model model = square_shell(80, 2, [](double u, double v) { return Eigen::Vector3d(u, 0.025 * v, 0.0); }, E, 0.0, thickness);
+    hold(model, [](const Eigen::Vector3d& x) { return x.x() < 1e-9; }, {0, 1, 2, 3, 4, 5});
+    BlockCase c = shell_case(model);
+    c.traction("skin", 0.0, 0.0, -row.q * B);
+    const Eigen::Vector3d tip = solve(c, 0.1).displacement(c.mesh, {1.0, 0.0125, 0.0});
+    const std::string scene = fmt::format("drape of a strip, w L^3/B = {}", row.q);
+    book(scene, "x of the tip over L", 1.0 + tip.x(), row.x, 1e-3, "reference book 2.3: heavy elastica (s04)");
+    book(scene, "fall of the tip over L", -tip.z(), row.y, 1e-3, "reference book 2.3: heavy elastica (s04)");
+  }
+}
+
 struct Sphere {
   double displacement, stress, spread;  ///< radial, mean; mean membrane stress; largest less smallest displacement
 };
