@@ -32,24 +32,28 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
 }
 
 // Along a step that leads downhill, how far to go: where no multiplier makes a saddle of the balance, the residual is the
-// slope of an energy, and a step may end where that slope has turned upwards by at most half of what it was at the start. A
-// sheet without tension has no stiffness across itself, so that its first steps are far too long. False: no such place. Not
-// for what bends: the strip of the heavy elastica turns far in whole steps, which first go uphill, and hardly in cut ones.
+// slope of an energy, and a step may end where that slope has turned upwards by at most half of what it was at the start
+// (unless that was round-off). A sheet without tension has no stiffness across itself, so that its first steps are far too
+// long. False: nothing but inadmissible states.
 bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double& fraction) {
   const State start = state;
   const double slope = scene.slope(step);
-  for (int cut = 0; cut < 30; ++cut) {
+  bool admissible = false, there = false;
+  for (int cut = 0; cut < 20 && !there; ++cut) {
     const Tangent tangent = cut == 0 ? Tangent::full : Tangent::none;  // the whole step is good most times
     state.values = start.values + fraction * step;
     scene.update(state);
-    if (!scene.assemble(state, tangent)) {
+    admissible = scene.assemble(state, tangent);
+    if (!admissible) {
       fraction *= 0.5;
       continue;
     }
     const double end = scene.slope(step);
-    if (slope >= 0.0 || end <= -0.5 * slope) return tangent == Tangent::full || scene.assemble(state, Tangent::full);
-    fraction *= std::clamp(-slope / (end - slope), 0.2, 0.7);
+    there = end <= -0.5 * slope || slope >= (cut == 0 ? -scene.round_off(state) * step.norm() : 0.0);
+    if (there && cut == 0) return true;
+    if (!there) fraction *= std::clamp(-slope / (end - slope), 0.2, 0.7);
   }
+  if (admissible && scene.assemble(state, Tangent::full)) return true;
   state = start;
   return false;
 }
