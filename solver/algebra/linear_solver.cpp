@@ -106,7 +106,7 @@ struct LinearSolver::Petsc {
       configure_factor(factor);
       analysed = true;
     }
-    factored = false;
+    factored = analysed = false;  // a factor that failed is of no use again: MUMPS refuses to go on with it
     PCSetReusePreconditioner(factor, PETSC_FALSE);
     if (PCSetUp(factor) != 0) return false;
     PCSetReusePreconditioner(factor, PETSC_TRUE);  // else the next use would factor what the matrix has become
@@ -115,7 +115,7 @@ struct LinearSolver::Petsc {
     PetscInt error = -1;
     MatMumpsGetInfog(mumps, 1, &error);
     MatMumpsGetInfog(mumps, 12, &negative_pivots);
-    factored = error == 0;
+    factored = analysed = error == 0;
     return factored;
   }
 

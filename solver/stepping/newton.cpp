@@ -33,11 +33,12 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
 
 // Along a step that leads downhill, how far to go: where no multiplier makes a saddle of the balance, the residual is the
 // slope of an energy, and a step may end where that slope has turned upwards by at most half of what it was at the start
-// (unless that was round-off). A sheet without tension has no stiffness across itself, so that its first steps are far too
+// (unless that was `round_off`, N, of the balance). A sheet without tension has no stiffness across itself, so that its first steps are far too
 // long. False: nothing but inadmissible states.
-bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double& fraction) {
+bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double round_off, double& fraction) {
   const State start = state;
   const double slope = scene.slope(step);
+  const bool downhill = slope < -round_off * step.norm();
   bool admissible = false, there = false;
   for (int cut = 0; cut < 20 && !there; ++cut) {
     const Tangent tangent = cut == 0 ? Tangent::full : Tangent::none;  // the whole step is good most times
@@ -49,7 +50,7 @@ bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double& fr
       continue;
     }
     const double end = scene.slope(step);
-    there = end <= -0.5 * slope || slope >= (cut == 0 ? -scene.round_off(state) * step.norm() : 0.0);
+    there = !downhill || end <= -0.5 * slope;
     if (there && cut == 0) return true;
     if (!there) fraction *= std::clamp(-slope / (end - slope), 0.2, 0.7);
   }
@@ -89,7 +90,7 @@ constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 
 struct Check {
   Measure measure;
-  double residual, complementarity;
+  double residual, complementarity, round_off;
   bool in_place;  ///< every moved support stands where it should
   bool done;
 };
@@ -103,7 +104,8 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
   const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
   c.in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * state.values.cwiseAbs().maxCoeff();
-  const bool balanced = c.residual <= settings.residual || residual <= scene.round_off(state);
+  c.round_off = scene.round_off(state);
+  const bool balanced = c.residual <= settings.residual || residual <= c.round_off;
   c.done = c.in_place && balanced && c.complementarity <= settings.complementarity &&
            c.measure.volume_error <= settings.volume && c.measure.penetration <= settings.penetration && c.measure.changed == 0;
   return c;
@@ -173,7 +175,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (!report.ok) return Outcome::linear_solver_failed;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);
-    const bool moved = downhill && in_place ? descend(scene, state, step, row.step) : move(scene, state, step, row.step);
+    const bool moved = downhill && in_place ? descend(scene, state, step, now.round_off, row.step) : move(scene, state, step, row.step);
     if (!moved) return Outcome::inadmissible;
   }
   return Outcome::too_many_iterations;

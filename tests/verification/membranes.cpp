@@ -1,38 +1,10 @@
-// Membranes blown up by a pressure that follows them, from flat and free of stress (reference book 2.4): Newton's
+// Discs of fabric blown up by a pressure that follows them, from flat and free of stress (reference book 2.4): Newton's
 // method finds its way although such a sheet has no stiffness across itself.
 #include "tests/verification/book.hpp"
-#include "tests/verification/membrane_scene.hpp"
-
-#include "solver/terms/skin_membrane_term.hpp"
+#include "tests/verification/inflated_disc.hpp"
 
 namespace snug::tests {
 namespace {
-
-/// A disc at rest in its rim, answers in its own units.
-struct Inflated {
-  double height, pole_stretch;
-  double edge_tension, edge_slope;  ///< N/m per current length; rad
-};
-
-/// Stretch along the innermost edge of length h at its two Gauss points, where quadratic elements know the derivative
-/// along an edge best; l0 + c r^2 through both, taken to the pole.
-double pole_stretch(const Eigen::Vector3d& pole, const Eigen::Vector3d& half, const Eigen::Vector3d& end, double h) {
-  const auto stretch = [&](double s) { return ((4 * s - 3) * pole + (4 - 8 * s) * half + (4 * s - 1) * end).norm() / h; };
-  const double near = 0.5 - std::sqrt(1.0 / 12.0), far = 1.0 - near;
-  return (far * far * stretch(near) - near * near * stretch(far)) / (far * far - near * near);
-}
-
-/// The rim's forces add up to tension times rim length along the meridian's tangent.
-template <class Reactions, class Place>
-void add_rim(const Reactions& reactions, const Place& place, double radius, Inflated& answer) {
-  Plane pull = Plane::Zero();
-  for (const auto& [node, f] : reactions) {
-    const Plane x = place(node);
-    pull += Plane(f.template head<2>().dot(x.normalized()), -f.z());
-  }
-  answer.edge_tension = pull.norm() / (0.5 * std::numbers::pi * radius);
-  answer.edge_slope = std::atan2(pull.y(), pull.x());
-}
 
 Inflated inflate(int rings, double radius, const materials::Fabric& fabric, double pressure) {
   Sheet sheet(quarter_disc(rings, radius), fabric);
@@ -112,87 +84,6 @@ TEST(CircularMembrane, MeetsTheExactAnswersAtFiniteStrain) {
 TEST(CircularMembrane, ErrorsFallWithTheFourthPowerOfTheMesh) {
   const auto error = [](int rings) { return std::abs(inflate(rings, 0.1, isotropic(1000.0, 0.3), 1000.0).height / 0.0309515382 - 1.0); };
   EXPECT_GT(error(8) / error(16), 12.0);
-}
-
-/// The skin membrane, whose law is incompressible and hyperelastic, as a disc; `stiffness` (N/m) of its thickness.
-Inflated inflate(int rings, double radius, const materials::SkinMembrane& law, double stiffness, double pressure) {
-  const mesh::GarmentMesh none, disc = quarter_disc(rings, radius);
-  mesh::BodyMesh body;
-  body.kind = mesh::CellKind::tet10;  // facets are quadratic triangles
-  body.nodes = disc.placed;
-  for (const auto& t : disc.triangles) body.skin_facets.push_back({t[0], t[1], t[2], t[3], t[4], t[5], -1, -1, -1});
-  const solver::Layout layout = solver::make_layout(body, none, true, false);
-  std::vector<int> master(layout.size());
-  std::vector<int> rim;
-  for (int i = 0; i < layout.size(); ++i) master[i] = i;
-  for (int node = 0; node < layout.body_nodes; ++node) {
-    const Plane& x = disc.pattern[node];
-    if (x.norm() > (1.0 - 1e-9) * radius) rim.push_back(node);
-    for (int c = 0; c < 3; ++c)
-      if (x.norm() > (1.0 - 1e-9) * radius || (c < 2 && x[c] < 1e-9 * radius)) master[layout.body(node, c)] = -1;
-  }
-  solver::Scene scene(layout, solver::Numbering(master));
-  scene.add(std::make_unique<solver::SkinMembraneTerm>(layout, body, law));
-  scene.add(std::make_unique<solver::PressureLoad>(layout, body, "disc", body.skin_facets, -pressure));
-  scene.set_proximal_weights(Eigen::VectorXd::Constant(layout.size(), stiffness));
-  const auto path = solver::follow_path(scene, solver::placed_state(layout, body, none), solver::tightening(), {}, [](const auto&) {});
-  EXPECT_TRUE(path.complete) << path.message << " at " << path.reached;
-  const auto at = [&](int node) -> Eigen::Vector3d { return path.state.values.segment<3>(layout.body(node)); };
-  const double ring = radius * ring_radius(1, rings);
-  Inflated answer{};
-  answer.height = at(0).z();
-  answer.pole_stretch = pole_stretch(at(0), at(disc.triangles[0][3]), at(disc.triangles[0][1]), ring);
-  const Eigen::VectorXd residual = scene.full_residual(path.state);
-  std::map<int, Eigen::Vector3d> reactions;
-  for (const int node : rim) reactions[node] = residual.segment<3>(layout.body(node));
-  add_rim(reactions, [&](int node) { return disc.pattern[node]; }, radius, answer);
-  return answer;
-}
-
-materials::SkinMembrane rubber(const std::string& table, double thickness) {
-  input::MaterialReference reference;
-  reference.table = table + "\npoisson_ratio = 0.49";  // which an incompressible membrane does not use
-  return {materials::find_membrane_tissue(reference).law, thickness};
-}
-
-TEST(CircularMembrane, BlowsUpARubberDiscUpToItsLimitPressure) {
-  struct Row {
-    double stretch, pressure, height, slope;  ///< pole stretch, p a/(mu h0), w0/a, deg
-  };
-  const auto law = rubber("law = 'neo-Hooke'\nshear_modulus = '1 Pa'", 1.0);
-  for (const Row& row : std::vector<Row>{{1.05, 0.2349413453, 0.2740925596, 34.156349},
-                                         {1.10, 0.5277819218, 0.3834724285, 46.838560},
-                                         {1.20, 0.9992518339, 0.5309760700, 62.474063},
-                                         {1.30, 1.3098681477, 0.6379562055, 72.537771},
-                                         {1.50, 1.6435818408, 0.7987892130, 85.484962},
-                                         {2.00, 1.8695547483, 1.0830671613, 102.703086}}) {
-    const Inflated disc = inflate(20, 1.0, law, 1.0, row.pressure);
-    const std::string scene = fmt::format("2.4 D neo-Hookean disc, p a/(mu h) = {:.4f}", row.pressure);
-    const char* source = "reference book 2.4 D, shooting (s05)";
-    book(scene, "pole stretch", disc.pole_stretch, row.stretch, 1e-4, source);
-    book(scene, "height over radius", disc.height, row.height, 1e-4, source);
-    book(scene, "slope at the rim, deg", disc.edge_slope * 180.0 / std::numbers::pi, row.slope, 1e-4, source);
-  }
-}
-
-// Oden and Sato's disc of 1967, radius 7.5 in and thickness 0.5 in; the unit of length here is the inch, of stress the psi.
-TEST(CircularMembrane, BlowsUpAMooneyRivlinDisc) {
-  struct Row {
-    double pressure, height, stretch;
-  };
-  const auto law = rubber("law = 'Mooney-Rivlin'\nC10 = '80 Pa'\nC01 = '20 Pa'", 0.5);
-  for (const Row& row : std::vector<Row>{{5.0, 2.46137855, 1.0711974071},
-                                         {10.0, 3.33750283, 1.1324945726},
-                                         {20.0, 4.94061735, 1.2976859716},
-                                         {30.0, 7.09231546, 1.6137400704},
-                                         {36.44274412, 9.37083559, 2.0},
-                                         {46.44654119, 15.57163736, 3.0}}) {
-    const Inflated disc = inflate(20, 7.5, law, 100.0, row.pressure);
-    const std::string scene = fmt::format("2.4 D Mooney-Rivlin disc, {:g} psi", row.pressure);
-    const char* source = "reference book 2.4 D, shooting (s05)";
-    book(scene, "height, in", disc.height, row.height, 1e-4, source);
-    book(scene, "pole stretch", disc.pole_stretch, row.stretch, 1e-4, source);
-  }
 }
 
 }  // namespace

@@ -184,5 +184,14 @@ TEST_F(LinearSystem, ASingularMatrixIsReportedAndDoesNotThrow) {
   EXPECT_FALSE(report.ok);
 }
 
+TEST_F(LinearSystem, AFactorisationThatFailedDoesNotSpoilTheNext) {
+  Eigen::MatrixXd A = quasi_definite(5);
+  A.row(3).setZero(), A.col(3).setZero();
+  EXPECT_FALSE(solver.solve(element(A), right, x).ok);
+  const Eigen::MatrixXd B = quasi_definite(6);
+  EXPECT_TRUE(solver.solve(element(B), right, x).ok);
+  EXPECT_LE((B * x - right).norm(), 1e-9 * right.norm());
+}
+
 }  // namespace
 }  // namespace snug::tests
