@@ -111,19 +111,21 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   return c;
 }
 
-// Far from the solution for long: eight iterations without a residual a fifth lower than the best one before. (On the way
-// down an energy the residual may well rise: a sheet that wrinkles passes twenty iterations so.)
+// Far from the solution for long: eight iterations without a residual a fifth lower than the best one before. Iterations that
+// `stride` down an energy do not count, for the residual may well rise on the way: a sheet that wrinkles takes twenty so.
 class Patience {
  public:
-  bool lost(double residual) {
+  bool lost(double residual, bool stride) {
     if (residual < 0.8 * best_) best_ = residual, waited_ = 0;
-    return ++waited_ > 8 && best_ > 1e-3;
+    if (!stride) ++waited_;
+    return waited_ > 8 && best_ > 1e-3;
   }
 
  private:
   double best_ = std::numeric_limits<double>::max();
   int waited_ = 0;
 };
+constexpr double long_stride = 0.2;  // of a Newton step
 
 }  // namespace
 
@@ -154,7 +156,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     row.contact_nodes = now.measure.active, row.changed = now.measure.changed;
     sink(row);
     if (now.done) return Outcome::converged;
-    if (!downhill && patience.lost(now.residual)) return Outcome::no_progress;
+    if (patience.lost(now.residual, downhill && row.step >= long_stride)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
     const bool settled = now.measure.changed == 0 && now.residual < 0.5 * before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
