@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/terms/shell.hpp"
+
 namespace snug::solver {
 
 std::string to_string(Outcome outcome) {
@@ -33,8 +35,9 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
 
 // Along a step that leads downhill, how far to go: where no multiplier makes a saddle of the balance, the residual is the
 // slope of an energy, and a step may end where that slope has turned upwards by at most half of what it was at the start
-// (unless that was `round_off`, N, of the balance). A sheet without tension has no stiffness across itself, so that its first steps are far too
-// long. False: nothing but inadmissible states.
+// (unless that was `round_off`, N, of the balance). A membrane without tension has no stiffness across itself, so that its
+// first steps are far too long. Not for what bends: the strip of the heavy elastica turns far in whole steps, which first go
+// uphill, and hardly in cut ones. False: nothing but inadmissible states.
 bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double round_off, double& fraction) {
   const State start = state;
   const double slope = scene.slope(step);
@@ -140,8 +143,9 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   State last = state;
   double before = std::numeric_limits<double>::max(), boost = 1.0;
   bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
-  const bool sheet = scene.layout().garment_nodes > 0;  // a body alone bends: whole steps, and no proximal term
-  const bool downhill = sheet && scene.saddle_rows() == 0, damped = sheet && !downhill;
+  const bool bends = scene.find<Tissue>() || scene.find<Shell>();
+  const bool downhill = !bends && scene.saddle_rows() == 0;
+  const bool damped = !downhill && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
     Check now = check(scene, state, settings);
     if (!cut && now.residual < near && now.measure.changed == 0) {
