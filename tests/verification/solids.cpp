@@ -31,6 +31,21 @@ TEST(Patch, UniformPressureShrinksEveryKindOfCellAlike) {
   }
 }
 
+// Nodes at which two supports meet answer to each with the components that it holds: a cube under uniform pressure pushes
+// every face that holds it with the pressure times the face, straight on.
+TEST(Supports, ShareTheNodesAtWhichTheyMeetByComponents) {
+  Block block;
+  block.cells = {2, 2, 2};
+  BlockCase c(make_block(block), {neo_hooke(10.0, 0.49)});
+  const std::array<const char*, 3> held = {"left", "bottom", "back"}, pressed = {"right", "top", "front"};
+  c.hold(held[0], 0.0, {}, {}), c.hold(held[1], {}, 0.0, {}), c.hold(held[2], {}, {}, 0.0);
+  for (const char* face : pressed) c.pressure(face, 1e3);
+  const BlockAnswer a = solve(c);
+  const double J = std::pow(1.0 + a.displacement(c.mesh, {1.0, 1.0, 1.0}).x(), 3);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_LE((a.result.balance.reactions.at(held[i]) - 1e3 * std::cbrt(J * J) * Eigen::Vector3d::Unit(i)).norm(), 1e-6) << held[i];
+}
+
 /// Strain e of a bar of St. Venant & Kirchhoff's law with nu = 0 under the traction r E: (1 + e) e (2 + e) / 2 = r.
 double strain(double r) {
   double e = r;
