@@ -2,6 +2,7 @@
 // book 2.8, 3 and 4 B).
 #include "tests/verification/book.hpp"
 #include "tests/verification/membrane_scene.hpp"
+#include "tests/verification/straight_fabric.hpp"
 
 namespace snug::tests {
 namespace {
@@ -14,14 +15,6 @@ Sheet bridge(int cells, const materials::Fabric& fabric) {
   return sheet;
 }
 
-/// Nominal tension K (l - 1) along x.
-materials::Fabric engineering(double K) {
-  materials::Fabric fabric;
-  fabric.warp = fabric.weft = materials::TensionCurve::cubic(K, 0.0, 2.0);
-  fabric.shear = 0.5 * K;
-  return fabric;
-}
-
 TEST(FlatStrip, BlownUpItIsAnArcOfACircle) {
   struct Row {
     double load, angle, tension, height;  ///< p l/K, half angle (rad), T/(p l), w0/l
@@ -31,7 +24,7 @@ TEST(FlatStrip, BlownUpItIsAnArcOfACircle) {
                                          {1e-3, 0.181812201055, 5.5306002259, 0.091157344618},
                                          {1e-2, 0.392493388954, 2.6144242721, 0.198805453961},
                                          {1e-1, 0.853750156641, 1.3266995585, 0.454844227334}}) {
-    Sheet sheet = bridge(24, engineering(K));
+    Sheet sheet = bridge(24, straight_fabric(K, 0.5 * K));
     sheet.pressure = row.load * K;
     sheet.solve();
     Eigen::Vector2d pull = Eigen::Vector2d::Zero();  // of one end, over the width
@@ -66,7 +59,7 @@ TEST(FlatStrip, SagsUnderALoadAcrossWithoutPrestress) {
                                          {0.1, 0.000992561958002158, 1e-3},
                                          {0.5, 0.105572809000084, 0.125}}) {
     const std::string scene = fmt::format("4 B flat cable, w/l = {:g}", row.sag);
-    book(scene, "sag, engineering strain", sag(engineering(1.0), row.engineering), row.sag, 1e-6, "reference book 4 B, closed form");
+    book(scene, "sag, engineering strain", sag(straight_fabric(1.0, 0.5 * 1.0), row.engineering), row.sag, 1e-6, "reference book 4 B, closed form");
     book(scene, "sag, St Venant-Kirchhoff", sag(isotropic(1.0, 0.0), row.svk), row.sag, 1e-6, "reference book 4 B, closed form");
   }
 }
@@ -74,7 +67,7 @@ TEST(FlatStrip, SagsUnderALoadAcrossWithoutPrestress) {
 // Its own weight w per area stretches a hanging strip of length L and line stiffness k by w L^2/(2 k).
 TEST(FlatStrip, HangingItStretchesUnderItsOwnWeight) {
   const double k = 100.0, weight = 1.4709975;
-  Sheet sheet(mapped_sheet(2, 6, [](double u, double v) { return Plane(0.2 * u, -v); }), engineering(k));
+  Sheet sheet(mapped_sheet(2, 6, [](double u, double v) { return Plane(0.2 * u, -v); }), straight_fabric(k, 0.5 * k));
   sheet.hold({0, 2}, [](const Plane&) { return true; });
   sheet.hold({1}, [](const Plane& x) { return x.y() > -1e-9; });
   solver::add_weight(sheet.mesh, weight / 9.80665, {0.0, -9.80665, 0.0}, sheet.forces);

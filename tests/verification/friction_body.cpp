@@ -52,10 +52,7 @@ struct SoftDrum {
     solver::Scene scene(layout, numbering(layout));
     materials::SolidLaw tissue = materials::find_tissue(body.layers.front().material).law;
     scene.add(std::make_unique<solver::Tissue>(layout, body, std::vector<materials::SolidLaw>(body.layers.size(), tissue)));
-    materials::Fabric fabric;
-    fabric.warp = fabric.weft = materials::TensionCurve::cubic(strip.k, 0.0, 2.0);
-    fabric.shear = 0.3 * strip.k;
-    scene.add(std::make_unique<solver::FabricMembrane>(layout, band, fabric));
+    scene.add(std::make_unique<solver::FabricMembrane>(layout, band, tests::straight_fabric(strip.k, 0.3 * strip.k)));
     scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, band), body, true,
                                                 strip.k / (band.mean_edge * band.mean_edge), solver::GapBasis::hat));
     if (friction > 0.0)

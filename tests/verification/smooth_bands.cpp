@@ -18,13 +18,6 @@ solver::PathSettings settings_for(const mesh::GarmentMesh& mesh) {
   return settings;
 }
 
-materials::Fabric without_poisson(double k) {
-  materials::Fabric fabric;
-  fabric.warp = fabric.weft = materials::TensionCurve::cubic(k, 0.0, 2.0);
-  fabric.shear = 0.3 * k;
-  return fabric;
-}
-
 struct Ellipse {
   double a = 0.060, b = 0.040;
   Eigen::Vector3d at(double t, double z) const { return {a * std::cos(t), b * std::sin(t), z}; }
@@ -99,8 +92,8 @@ TEST(SmoothBand, TwoPanelsInSeriesShareTheirTension) {
   for (int j = 0; j < 5; ++j)  // the ring may not turn
     for (const int node : {j * columns, j * columns + columns - 1}) master[layout.garment(node, 1)] = -1;
   solver::Scene scene(layout, solver::Numbering(std::move(master)));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, first, without_poisson(k1)));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, second, without_poisson(k2)));
+  scene.add(std::make_unique<solver::FabricMembrane>(layout, first, tests::straight_fabric(k1, 0.3 * k1)));
+  scene.add(std::make_unique<solver::FabricMembrane>(layout, second, tests::straight_fabric(k2, 0.3 * k2)));
   scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, ring), body, false,
                                               k2 / (ring.mean_edge * ring.mean_edge), solver::GapBasis::hat));
   solver::State start = solver::placed_state(layout, body, ring);

@@ -12,6 +12,7 @@
 
 #include "solver/stepping/load_path.hpp"
 #include "tests/verification/skin_grid.hpp"
+#include "tests/verification/straight_fabric.hpp"
 
 namespace snug::tests {
 
@@ -96,10 +97,7 @@ inline solver::Numbering strip_numbering(const solver::Layout& layout, const mes
 inline solver::Scene strip_scene(const Strip& s, const mesh::GarmentMesh& mesh, const mesh::BodyMesh& body) {
   const solver::Layout layout = solver::make_layout(body, mesh, false, true);
   solver::Scene scene(layout, strip_numbering(layout, mesh));
-  materials::Fabric fabric;
-  fabric.warp = fabric.weft = materials::TensionCurve::cubic(s.k, 0.0, 2.0);
-  fabric.shear = 0.3 * s.k;
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, mesh, fabric));
+  scene.add(std::make_unique<solver::FabricMembrane>(layout, mesh, straight_fabric(s.k, 0.3 * s.k)));
   const double stiffness = s.k / (mesh.mean_edge * mesh.mean_edge);
   scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, mesh), body, false, stiffness,
                                               solver::GapBasis::hat));
