@@ -18,20 +18,22 @@ namespace snug::input {
 
 struct ContactSpec {
   std::string basis = "hat";  ///< hat | dual: test functions of the weighted gap
-  double friction = 0.0;      ///< coefficient of friction of garment on skin
-  double friction_from = 1.0; ///< fraction of the tightening from which friction acts
+  std::optional<double> friction;  ///< coefficient of friction of garment on skin; see solver/scene/friction_choice
+  bool spread = false;             ///< what other ways of putting the garment on would change
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}},
           self.basis);
-    field(Field{.key = "friction", .meaning = "coefficient of friction of the garment on the skin", .bound = between(0.0, 2.0)},
+    field(Field{.key = "friction",
+                .meaning = "coefficient of friction of the garment on the skin; left out: the fabric's own (MIU), else 0.3; "
+                           "0: none, for verification",
+                .bound = between(0.0, 2.0)},
           self.friction);
-    field(Field{.key = "friction_from",
-                .meaning = "fraction of the tightening from which friction acts; 1: only on the tightened garment, because "
-                           "the path of the tightening is fictitious",
-                .bound = {.low = 0.0, .high = 1.0, .low_open = true}},
-          self.friction_from);
+    field(Field{.key = "spread",
+                .meaning = "also shows, on the rigid skin, what other ways of putting the garment on would change: friction "
+                           "over the last half of the tightening and from its start"},
+          self.spread);
   }
 };
 

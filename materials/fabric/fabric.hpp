@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,7 @@ struct Fabric {
   double bending = 0.0;        ///< B, N m (mean of warp and weft; 0 = not measured)
   double areal_density = 0.0;  ///< kg/m2
   double thickness = 0.0;      ///< m
+  std::optional<double> friction;  ///< coefficient of friction on skin, where it was measured
   std::string source;          ///< how each number was turned into SI
 
   MembraneResponse unrelaxed(const Eigen::Vector3d& strain) const;

@@ -14,6 +14,7 @@ Fabric assemble(const TensionCurve& warp, const TensionCurve& weft, double shear
           .bending = sheet.bending,
           .areal_density = sheet.weight,
           .thickness = sheet.thickness,
+          .friction = sheet.MIU,
           .source = {}};
 }
 

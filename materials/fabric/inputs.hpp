@@ -13,6 +13,7 @@ namespace snug::materials {
 struct Sheet {
   double poisson = 0.0;
   double weight = 0.0, thickness = 0.0, bending = 0.0;  ///< kg/m2, m, N m
+  std::optional<double> MIU;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -25,6 +26,9 @@ struct Sheet {
     field(Field{.key = "thickness", .unit = "m", .meaning = "thickness", .bound = non_negative()}, self.thickness);
     field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness (not used yet)", .bound = non_negative()},
           self.bending);
+    field(Field{.key = "MIU", .meaning = "mean coefficient of surface friction; what contact.friction is where the case does not say",
+                .bound = between(0.0, 2.0)},
+          self.MIU);
   }
 };
 

@@ -23,6 +23,8 @@ struct State {
   /// History of friction, empty where there is none: `values` at the last accepted state, and the traction of the skin's
   /// slip there (Pa per rest area of the garment; three corners a triangle, three components each).
   Eigen::VectorXd reference, traction;
+  /// What of friction's bound there is: the bound is mu p / release, so that 1 is Coulomb's law and 0 sticks without a bound.
+  double release = 1.0;
   double stiffening = 1.0; ///< factor on the body's own energy while it is released under the garment; 1 at the end
 };
 

@@ -7,6 +7,7 @@
 
 #include "materials/laws/solid_law.hpp"
 #include "solver/algebra/communicator.hpp"
+#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/partition.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
 
@@ -94,10 +95,6 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
     layout.multipliers = static_cast<int>(vertices.size());
   }
   return layout;
-}
-
-bool has_friction(const input::Case& description) {
-  return description.garment && description.contact && description.contact->friction > 0.0;
 }
 
 bool slides_freely(const input::Case& description) { return description.garment && description.garment->held.empty(); }

@@ -16,7 +16,6 @@ namespace snug::solver {
 Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact);
 
 /// True when the scene has friction between garment and skin.
-bool has_friction(const input::Case& description);
 
 /// True when no edge of the garment is held along the axis: it can slide off.
 bool slides_freely(const input::Case& description);

@@ -6,6 +6,7 @@
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
 #include "solver/scene/constraints.hpp"
+#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/run.hpp"
 
 namespace snug::solver {
@@ -86,11 +87,10 @@ void list_garment(const input::Case& description, const Meshes& meshes, Plan& pl
     plan.parts_in.push_back("contact: weighted gaps, " + description.contact->basis + " multipliers");
   else
     plan.parts_out.push_back("contact: no [contact] in the case");
-  if (has_friction(description))
-    plan.parts_in.push_back(fmt::format("friction: coefficient {:g}, on from {:.0f} % of the tightening",
-                                        description.contact->friction, 100.0 * description.contact->friction_from));
+  if (const FrictionChoice friction = friction_choice(description); friction.coefficient > 0.0)
+    plan.parts_in.push_back(fmt::format("friction: coefficient {:g} ({})", friction.coefficient, friction.source));
   else
-    plan.parts_out.push_back("friction: not in the case");
+    plan.parts_out.push_back("friction: " + (description.contact ? "none, says " + friction.source : friction.source));
   plan.parts_out.push_back("bending: not in the case");
 }
 

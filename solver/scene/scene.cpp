@@ -4,6 +4,7 @@
 
 #include "materials/laws/skin_membrane.hpp"
 #include "solver/algebra/communicator.hpp"
+#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
@@ -236,6 +237,9 @@ Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& 
 
 namespace {
 
+// A garment that sticks gives way to its own tension by this fraction of what a triangle alone would.
+constexpr double sticking = 2.0;
+
 // Pressure per gap of the stiffest part that touches: computed, never a user's number.
 double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body,
                          Skin skin) {
@@ -289,9 +293,10 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
     scene.add(std::make_unique<Contact>(layout, garment_slave(layout, garment), body, deformable,
                                         contact_stiffness(fabric, garment, body, skin),
                                         description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
-  if (has_friction(description))
-    scene.add(std::make_unique<Friction>(layout, *scene.find<Contact>(), description.contact->friction,
-                                         Friction::usual_elastic_slip * garment.mean_edge));
+  if (const double coefficient = friction_choice(description).coefficient; coefficient > 0.0)
+    scene.add(std::make_unique<Friction>(layout, *scene.find<Contact>(), coefficient,
+                                         Friction::usual_elastic_slip * garment.mean_edge,
+                                         sticking * fabric_stiffness(fabric) / (garment.mean_edge * garment.mean_edge)));
   return scene;
 }
 
@@ -306,7 +311,7 @@ State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh:
 
 State transfer(const State& state, const Layout& from, const Layout& to, const mesh::BodyMesh& body) {
   State moved;
-  moved.load = state.load;
+  moved.load = state.load, moved.release = state.release;
   moved.values = Eigen::VectorXd::Zero(to.size());
   for (int node = 0; node < to.body_nodes; ++node)
     moved.values.segment<3>(to.body(node)) =

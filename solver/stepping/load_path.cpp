@@ -39,6 +39,10 @@ Homotopy releasing(double factor) {
   return [=](State& state, double t) { state.stiffening = std::pow(factor, 1.0 - t); };
 }
 
+Homotopy letting_go() {
+  return [](State& state, double t) { state.release = t; };
+}
+
 PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& path,
                        const IterationSink& sink) {
   PathResult result;

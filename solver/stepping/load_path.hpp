@@ -22,6 +22,9 @@ Homotopy tightening(double from = 0.0, double to = 1.0);
 /// The body gives way under the tightened garment: its stiffness falls from `factor` times its own to its own.
 Homotopy releasing(double factor);
 
+/// The garment that stuck where it was placed is let go: friction's bound comes down to mu p.
+Homotopy letting_go();
+
 struct PathResult {
   State state;                  ///< the last converged one
   double reached = 0.0;         ///< t of that state

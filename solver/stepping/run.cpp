@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/donning.hpp"
@@ -18,6 +20,9 @@ namespace {
 
 /// Contact pressure over the softest (stiffened) shear modulus where a release step by step starts: small strains.
 constexpr double gentle_release = 0.3;
+
+/// Fractions of the tightening from which friction acts in the rows that show the spread.
+constexpr std::array<double, 2> spread = {0.5, 0.0};
 
 /// One run: the parts of the flow share the clock, the observer and the result.
 class Run {
@@ -38,7 +43,7 @@ class Run {
     if (result_.tier == "L0")
       finish_laplace();
     else if (has_friction(case_))
-      garment_with_friction();
+      placed_and_let_go();
     else if (case_.garment && case_.contact)
       garment_then_body();
     else if (result_.tier == "L4")
@@ -78,14 +83,6 @@ class Run {
       path.accepted = [this](const Scene& scene, const State& state, double t) { keep(scene, state, stages_ + t); };
     }
     return path;
-  }
-
-  /// Where friction only sets in on the tightened garment there is nothing to halve. A sleeve that slips off is told from
-  /// one that holds after few failures.
-  PathResult with_friction(Scene& scene, const State& at, double from, const IterationSink& rows, PathSettings path) {
-    path.first_step = from < 1.0 ? 0.5 : 1.0;
-    path.failures = from < 1.0 ? 3 : 0;
-    return follow_path(scene, at, tightening(from, 1.0), path, rows);
   }
 
   /// Hands a state of the load path to who wants to see it.
@@ -133,47 +130,72 @@ class Run {
     log_.phase("results");
   }
 
-  /// The path of the tightening is fictitious, so that the garment tightens on the rigid skin without friction up to the
-  /// fraction from which the case wants it. From there on it acts: on the rigid skin, then on the body.
-  void garment_with_friction() {
-    Scene smooth = make_scene(without_friction(case_), meshes_.body, meshes_.garment, Skin::rigid);
+  /// Placed and let go. While its rest metric goes to that of the pattern the garment sticks to the skin where it was
+  /// placed: nothing slides, gathers or goes slack on a way that is fictitious anyway. Then friction's bound comes down to
+  /// mu p, on the body where there is one: what cannot hold slips.
+  void placed_and_let_go() {
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
     log_.phase("set-up");
-    std::map<double, State> at;
-    State state = placed_state(smooth.layout(), meshes_.body, meshes_.garment);
-    keep(smooth, state, 0.0);
-    for (const double to : donning_stops(case_)) {
-      const auto path = follow_path(smooth, state, tightening(state.load, to), settings(Skin::rigid), log_.sink("rigid skin"));
-      if (!accept(smooth, path, "rigid skin")) {
-        fill_result(smooth, path.state, meshes_.body, meshes_.garment, result_);
-        return log_.phase("results");
-      }
-      at[to] = state = path.state;
+    State placed = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
+    placed.release = 0.0;
+    keep(rigid, placed, 0.0);
+    PathResult path = follow_path(rigid, placed, tightening(), settings(Skin::rigid), log_.sink("placed on the rigid skin"));
+    const bool tight = accept(rigid, path, "the garment as placed on the rigid skin");
+    if (tight && case_.contact->spread) add_spread(rigid, path.state);
+    if (tight && result_.tier == "L4") {
+      rigid.drop_matrix();  // the body needs the memory
+      return let_go_on_body(rigid, path.state);
     }
-    const double from = case_.contact->friction_from;
-    const auto path = with_friction(rigid, at.at(from), from, log_.sink("friction"), settings(Skin::rigid));
-    const bool complete = accept(rigid, path, "friction");
-    if (complete) {
-      result_.donning = {donning_row("without friction", 1.0, true, smooth, state, meshes_),
-                         donning_row(donning_name(from), from, true, rigid, path.state, meshes_)};
-      add_donning_variations(at);
-      smooth.drop_matrix(), rigid.drop_matrix();  // the body needs the memory
-      if (result_.tier == "L4") return release_body(rigid, path.state);
+    const Push net = push(rigid, path.state);
+    if (tight) {
+      path = follow_path(rigid, path.state, letting_go(), settings(Skin::rigid), log_.sink("let go on the rigid skin"));
+      if (!accept(rigid, path, "letting go on the rigid skin")) name_slipping(net);
     }
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
-    if (!complete) name_slipping(smooth, state);
     log_.phase("results");
   }
 
-  /// Two more paths on the rigid skin show what the assumption changes; `at`: frictionless states on the way.
-  void add_donning_variations(const std::map<double, State>& at) {
-    const std::string name = "spread over donning paths";
+  /// Where the tissue carries the pressure with small strains, body and friction are let go at once. Where that fails the
+  /// body is released under the garment that still sticks, and then friction.
+  void let_go_on_body(const Scene& rigid, const State& on_rigid) {
+    Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
+    log_.phase("set-up");
+    const Push net = push(rigid, on_rigid);
+    const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    const double give = softest_shear_modulus() / rigid.measure(on_rigid).reference_pressure;
+    PathResult path{start, 0.0, false, 0, ""};
+    if (give > 1.0 && kept_.steps == 0) {
+      State loose = start;
+      loose.release = 1.0;
+      path = release_at_once(scene, loose);
+    }
+    if (!path.complete) {
+      path = release(scene, start, give);
+      if (accept(scene, path, "releasing the body"))
+        path = follow_path(scene, path.state, letting_go(), settings(Skin::deformable), log_.sink("let go"));
+    }
+    if (!accept(scene, path, "letting go")) name_slipping(net);
+    finish_on_body(scene, path, rigid, on_rigid);
+  }
+
+  /// Other ways of putting the garment on, on the rigid skin: friction from the start of the tightening and over its last
+  /// half; until then the garment sticks.
+  void add_spread(const Scene& placed, const State& tight) {
+    const std::string name = "spread over ways of putting on";
     Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
     PathSettings aside = settings(Skin::rigid);
     aside.accepted = nullptr;  // their states are not on the way to the answer
-    for (const double from : donning_variations(case_)) {
-      const auto path = with_friction(rigid, at.at(from), from, log_.quiet(donning_name(from)), aside);
-      result_.donning.push_back(donning_row(donning_name(from), from, path.complete, rigid, path.state, meshes_));
+    const auto row = [&](const std::string& way, double from, const PathResult& path) {
+      result_.donning.push_back(donning_row(way, from, path.complete, rigid, path.state, meshes_));
+    };
+    row("placed and let go", 1.0, follow_path(rigid, tight, letting_go(), aside, log_.quiet(name)));
+    const State start = placed_state(placed.layout(), meshes_.body, meshes_.garment);
+    for (const double from : spread) {
+      State state = start;
+      state.release = 0.0;
+      if (from > 0.0) state = follow_path(rigid, state, tightening(0.0, from), aside, log_.quiet(name)).state;
+      state.release = 1.0;
+      row(donning_name(from), from, follow_path(rigid, state, tightening(state.load, 1.0), aside, log_.quiet(name)));
     }
     log_.phase(name);
     log_.account(rigid, name);
@@ -186,20 +208,28 @@ class Run {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
     log_.phase("set-up");
     const double give = softest_shear_modulus() / rigid.measure(on_rigid).reference_pressure;
-    const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    const PathResult released = release(scene, transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body), give);
+    accept(scene, released, "body");
+    finish_on_body(scene, released, rigid, on_rigid);
+  }
+
+  /// `give`: softest shear modulus over the pressure.
+  PathResult release(Scene& scene, const State& start, double give) {
     PathResult released{start, 0.0, false, 0, ""};
     if (give > 1.0 && kept_.steps == 0) released = release_at_once(scene, start);
-    if (!released.complete)
-      released = follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
-                             log_.sink("body, step by step"));
-    accept(scene, released, "body");
-    if (!released.complete && released.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
+    if (released.complete) return released;
+    return follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
+                       log_.sink("body, step by step"));
+  }
+
+  void finish_on_body(const Scene& scene, const PathResult& path, const Scene& rigid, const State& on_rigid) {
+    if (!path.complete && path.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
       fill_result(rigid, on_rigid, meshes_.body, meshes_.garment, result_);
     } else {
-      fill_result(scene, released.state, meshes_.body, meshes_.garment, result_);
+      fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
     }
-    if (released.complete) name_sliding();
+    if (path.complete) name_sliding();
     log_.phase("results");
   }
 
@@ -212,7 +242,9 @@ class Run {
     };
     NewtonSettings newton_settings = settings(Skin::deformable).newton;
     newton_settings.recut = true;
+    scene.begin(released.state);
     released.complete = newton(scene, released.state, newton_settings, in_one_step) == Outcome::converged;
+    if (released.complete) scene.commit(released.state);
     return released;
   }
 
@@ -235,12 +267,10 @@ class Run {
     return slides_freely(case_) && push(result_on_rigid(scene, state), meshes_.garment).force != 0.0;
   }
 
-  /// No edge holds the garment and friction does not, either: the frictionless state, held at its probe edge, tells what
-  /// would have to be borne.
-  void name_slipping(const Scene& smooth, const State& tight) {
-    if (!slides_freely(case_)) return;
-    const Push net = push(result_on_rigid(smooth, tight), meshes_.garment);
-    if (net.friction_needed > 0.9 * case_.contact->friction) fail(no_equilibrium(net, case_, meshes_.garment));
+  /// No edge holds the garment and friction does not, either; `net`: what pushed it while it stuck.
+  void name_slipping(const Push& net) {
+    if (slides_freely(case_) && net.friction_needed > 0.9 * friction_choice(case_).coefficient)
+      fail(no_equilibrium(net, case_, meshes_.garment));
   }
 
   void name_sliding() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/terms/parallel.hpp"
 
@@ -31,8 +32,8 @@ struct Friction::Slot {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix;
 };
 
-Friction::Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip)
-    : layout_(layout), contact_(contact), coefficient_(coefficient), elastic_slip_(elastic_slip),
+Friction::Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip, double sticking)
+    : layout_(layout), contact_(contact), coefficient_(coefficient), elastic_slip_(elastic_slip), sticking_(sticking),
       elements_(contact.triangles()) {}
 
 double Friction::vertex_pressure(const State& state, int vertex) const {
@@ -40,6 +41,10 @@ double Friction::vertex_pressure(const State& state, int vertex) const {
 }
 
 void Friction::set_stiffness(const State& state) {
+  if (state.release == 0.0) {
+    stiffness_ = sticking_;
+    return;
+  }
   double force = 0.0, area = 0.0;
   for (int i = 0; i < contact_.vertices(); ++i)
     if (const double p = vertex_pressure(state, i); p > 0.0) force += p * contact_.rest_area(i), area += contact_.rest_area(i);
@@ -58,7 +63,10 @@ void Friction::place(const State& state, int triangle) {
   for (int v = 0; v < 3; ++v) {
     Corner& corner = element[v];
     corner = {};
-    if (contact_.active()[vertices[v]]) corner.bound = coefficient_ * vertex_pressure(state, vertices[v]);
+    if (state.release == 0.0)
+      corner.bound = std::numeric_limits<double>::infinity();
+    else if (contact_.active()[vertices[v]])
+      corner.bound = coefficient_ * vertex_pressure(state, vertices[v]) / state.release;
     if (corner.bound > 0.0) corner.slip.setZero(3, columns);
   }
   for (const Contact::Meeting& q : points) {

@@ -15,6 +15,8 @@ namespace snug::solver {
 /// and the garment feels -w_q sum_v L_v P_q t_v at point q, the skin its opposite. U_q vanishes when garment and skin turn
 /// together, so that forces and moments balance to round-off whatever the gap. The elastic slip k = mu p_ref / (0.005 h)
 /// regularises the stick (p_ref: mean pressure in contact, h: the garment's mean edge).
+/// Where the state is not released (State::release = 0) every vertex that faces the skin sticks to it, touching or not,
+/// with a stiffness k of its own and without a bound; in between the bound is mu p_v / release.
 /// Wriggers, Computational Contact Mechanics (2nd ed. 2006), sec. 5.2 and 9.4 (return mapping); Laursen, Computational
 /// Contact and Impact Mechanics (2002), ch. 5 (U_q).
 /// The points' frames and the bound mu p_v are those of the last `update`. With them frozen the forces derive from the
@@ -24,8 +26,9 @@ class Friction : public Term {
  public:
   static constexpr double usual_elastic_slip = 0.005;  ///< over the garment's mean edge
 
-  /// `contact` has to outlive the term and to be updated before it; `elastic_slip` in m.
-  Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip);
+  /// `contact` has to outlive the term and to be updated before it; `elastic_slip` in m. `sticking`, Pa/m: stiffness of
+  /// the slip while nothing is released.
+  Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip, double sticking = 0.0);
 
   std::string name() const override { return "friction"; }
   const ElementEntries& entries() const override { return contact_.entries(); }
@@ -52,7 +55,7 @@ class Friction : public Term {
   using Operator = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   struct Corner {
     double area = 0.0;    ///< A_v of the points that face the skin, m2
-    double bound = 0.0;   ///< mu p_v, Pa
+    double bound = 0.0;   ///< mu p_v / release, Pa
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries), m2
   };
@@ -70,7 +73,7 @@ class Friction : public Term {
 
   Layout layout_;
   const Contact& contact_;
-  double coefficient_, elastic_slip_;
+  double coefficient_, elastic_slip_, sticking_;
   double stiffness_ = 0.0;         ///< k, Pa/m; 0: nothing touches yet
   std::vector<Element> elements_;
 };
