@@ -73,12 +73,13 @@ void SparseScatter::build(const Numbering& numbering, const std::vector<const El
   std::vector<int> where(numbering.unknowns(), -1);  // position of a column in the row being filled
   for (int row = 0; row < rows(); ++row) fill_row(row, groups, numbering, where);
   value_.assign(column_.size(), 0.0);
-  residual_ = Eigen::VectorXd::Zero(rows());
+  residual_ = condensed_ = Eigen::VectorXd::Zero(rows());
 }
 
 void SparseScatter::zero() {
   std::fill(value_.begin(), value_.end(), 0.0);
   residual_.setZero();
+  condensed_.setZero();
 }
 
 void SparseScatter::add(int group_index, int element, std::span<const double> residual, std::span<const double> matrix) {
@@ -92,6 +93,14 @@ void SparseScatter::add(int group_index, int element, std::span<const double> re
   const int* position = group.position.data() + group.offset[element];
   for (std::size_t k = 0; k < matrix.size(); ++k)
     if (position[k] >= 0) value_[position[k]] += matrix[k];
+}
+
+void SparseScatter::add_condensed(int group_index, int element, std::span<const double> values) {
+  const Group& group = groups_[group_index];
+  if (!group.touched[element]) return;
+  const int* row = group.row.data() + group.row_offset[element];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (row[i] >= 0) condensed_[row[i]] += values[i];
 }
 
 void SparseScatter::add_diagonal(const Eigen::VectorXd& values) {

@@ -33,6 +33,8 @@ class SparseScatter {
   void zero();
   /// Adds a dense element residual (n) and, when not empty, its matrix (n x n, row-major).
   void add(int group, int element, std::span<const double> residual, std::span<const double> matrix);
+  /// Adds an element's share (n) of the condensed right side.
+  void add_condensed(int group, int element, std::span<const double> values);
   /// True where the element touches an owned row.
   bool touches(int group, int element) const { return groups_[group].touched[element] != 0; }
   /// Adds to the diagonal, one value an unknown of the owned rows.
@@ -54,6 +56,7 @@ class SparseScatter {
   const std::vector<double>& values() const { return value_; }
   std::vector<double>& values() { return value_; }
   const Eigen::VectorXd& residual() const { return residual_; }
+  const Eigen::VectorXd& condensed() const { return condensed_; }
 
  private:
   struct Group {
@@ -71,7 +74,7 @@ class SparseScatter {
   int first_row_ = 0, end_row_ = 0;
   std::vector<int> row_offset_, column_;
   std::vector<double> value_;
-  Eigen::VectorXd residual_;
+  Eigen::VectorXd residual_, condensed_;
   std::vector<int> diagonal_;
   std::vector<Group> groups_;
   std::vector<int> touch_offset_;

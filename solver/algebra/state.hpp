@@ -7,13 +7,15 @@ namespace snug::solver {
 
 /// Where the parts of a scene stand in the state vector. Parts that a scene lacks have no entries.
 /// Body and garment entries are current positions (m), three a node; multipliers are contact pressures per rest area
-/// of the garment (Pa), one a garment vertex. Pressures are those of the body's tetrahedra (Pa).
+/// of the garment (Pa), one a garment vertex. Pressures are those of the body's tetrahedra (Pa). The fields of hexahedra
+/// (dilatation less one, then pressure in Pa, cell by cell) have no unknowns: their step follows from that of the positions.
 struct Layout {
-  int body_nodes = 0, garment_nodes = 0, pressures = 0, multipliers = 0;
+  int body_nodes = 0, garment_nodes = 0, pressures = 0, cell_fields = 0, multipliers = 0;
   int body(int node, int component = 0) const { return 3 * node + component; }
   int garment(int node, int component = 0) const { return 3 * (body_nodes + node) + component; }
   int pressure(int i) const { return 3 * (body_nodes + garment_nodes) + i; }
-  int multiplier(int i) const { return pressure(pressures) + i; }
+  int cell_field(int i) const { return pressure(pressures) + i; }
+  int multiplier(int i) const { return cell_field(cell_fields) + i; }
   int size() const { return multiplier(multipliers); }
 };
 

@@ -21,12 +21,13 @@ void fix(Constraints& constraints, int entry) {
   if (!constraints.is_constrained(entry)) constraints.add_line(entry);
 }
 
-/// Pressures of layers whose law has none are not part of the system.
+/// Pressures of layers whose law has none are not part of the system, nor are the fields of hexahedra.
 void constrain_pressures(const mesh::BodyMesh& body, const Layout& layout, Constraints& constraints) {
   const std::vector<int> layer = pressure_unknowns(body).layer;
   for (std::size_t i = 0; i < layer.size(); ++i)
     if (!materials::is_split(materials::find_tissue(body.layers[layer[i]].material).law))
       fix(constraints, layout.pressure(static_cast<int>(i)));
+  for (int i = 0; i < layout.cell_fields; ++i) fix(constraints, layout.cell_field(i));
 }
 
 bool turns_freely(const input::GarmentSpec& spec) {
@@ -87,6 +88,7 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
   Layout layout;
   layout.body_nodes = deformable ? static_cast<int>(body.nodes.size()) : 0;
   if (deformable) layout.pressures = static_cast<int>(pressure_unknowns(body).layer.size());
+  if (deformable) layout.cell_fields = 2 * pressure_modes(body.kind) * static_cast<int>(body.cells.size());
   layout.garment_nodes = static_cast<int>(garment.pattern.size());
   if (contact) {
     std::set<int> vertices;

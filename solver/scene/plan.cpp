@@ -31,7 +31,7 @@ void count_unknowns(const input::Case& description, const Meshes& meshes, bool d
   };
   put("body", 0, layout.garment(0));
   put("garment", layout.garment(0), layout.pressure(0));
-  put("pressure", layout.pressure(0), layout.multiplier(0));
+  put("pressure", layout.pressure(0), layout.cell_field(0));
   put("contact", layout.multiplier(0), layout.size());
 }
 

@@ -19,6 +19,7 @@ class ScatterSink : public Sink {
   void add(int element, std::span<const double> residual, std::span<const double> matrix) override {
     scatter_.add(group_, element, residual, matrix);
   }
+  void add_condensed(int element, std::span<const double> values) override { scatter_.add_condensed(group_, element, values); }
   bool wants(int element) const override { return scatter_.touches(group_, element); }
 
  private:
@@ -150,7 +151,7 @@ Eigen::VectorXd Scene::load_forces(const State& state) const {
 LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step) {
   const int first = scatter_.first_row();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns());
-  right.segment(first, scatter_.rows()) = -scatter_.residual();
+  right.segment(first, scatter_.rows()) = -(scatter_.residual() + scatter_.condensed());
   step = Eigen::VectorXd::Zero(layout_.size());
   if (const Eigen::VectorXd gap = supports_.gap(state); gap.size() > 0) step = gap;
   if (!step.isZero(0.0)) {
@@ -173,15 +174,20 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;
   for (int i = 0; i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
+  for (const auto& term : terms_) term->recover(state, step);
   return report;
 }
 
-double Scene::force_residual() const {
+double Scene::force_norm(const Eigen::VectorXd& rows) const {
   double squared = 0.0;
   for (int row = 0; row < scatter_.rows(); ++row)
-    if (force_row_[scatter_.first_row() + row]) squared += scatter_.residual()[row] * scatter_.residual()[row];
+    if (force_row_[scatter_.first_row() + row]) squared += rows[row] * rows[row];
   return std::sqrt(sum_over_ranks(squared));
 }
+
+double Scene::force_residual() const { return force_norm(scatter_.residual()); }
+
+double Scene::condensed_residual() const { return force_norm(scatter_.residual() + scatter_.condensed()); }
 
 double Scene::slope(const Eigen::VectorXd& step) const {
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(scatter_.rows());  // entries that share an unknown count once
@@ -193,9 +199,10 @@ double Scene::slope(const Eigen::VectorXd& step) const {
 
 double Scene::round_off(const State& state) const {
   const double total = sum_over_ranks(scatter_.squared_diagonal());
-  const double farthest = state.values.head(layout_.pressure(0)).cwiseAbs().maxCoeff();
-  return std::numeric_limits<double>::epsilon() * farthest * std::sqrt(total);
+  return std::numeric_limits<double>::epsilon() * farthest(state) * std::sqrt(total);
 }
+
+double Scene::farthest(const State& state) const { return state.values.head(layout_.pressure(0)).cwiseAbs().maxCoeff(); }
 
 Measure Scene::measure(const State& state) const {
   Measure measure;
@@ -319,6 +326,8 @@ State transfer(const State& state, const Layout& from, const Layout& to, const m
   moved.values.segment(to.garment(0), 3 * to.garment_nodes) = state.values.segment(from.garment(0), 3 * from.garment_nodes);
   if (from.pressures == to.pressures)
     moved.values.segment(to.pressure(0), to.pressures) = state.values.segment(from.pressure(0), from.pressures);
+  if (from.cell_fields == to.cell_fields)
+    moved.values.segment(to.cell_field(0), to.cell_fields) = state.values.segment(from.cell_field(0), from.cell_fields);
   moved.values.tail(to.multipliers) = state.values.tail(from.multipliers);
   if (state.reference.size() > 0) moved.reference = moved.values, moved.traction = state.traction;
   return moved;

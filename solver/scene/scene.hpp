@@ -59,13 +59,17 @@ class Scene {
 
   /// Rows of pressures and multipliers: the negative pivots that a minimum on their constraints has.
   int saddle_rows() const;
-  /// Norm of the residual over force rows (N) and over gap rows (m3).
+  /// Norm of the residual over force rows, N, as assembled last.
   double force_residual() const;
+  /// The same with what is missing in cell-wise volumes and pressures brought in as force: what the residual would be if they
+  /// followed the positions. After an assembly with its tangent.
+  double condensed_residual() const;
   /// The residual along a step: what the energy rises by at its start where there is one, J.
   double slope(const Eigen::VectorXd& step) const;
-  /// What round-off of the positions alone makes of the force residual, N: eps |x| K_ii over the rows. No iteration
-  /// brings a body of bulk modulus kappa below about eps kappa |x| h a node.
+  /// What round-off of the positions alone makes of the force residual, N: eps |x| K_ii over the rows.
   double round_off(const State& state) const;
+  /// Largest coordinate of the state, m.
+  double farthest(const State& state) const;
   Measure measure(const State& state) const;
   double step_bound(const State& state, const Eigen::VectorXd& step) const;
   /// Diagonal weights (N/m), one a state entry, of the proximal term: garment membrane stiffness of the nodes.
@@ -73,6 +77,7 @@ class Scene {
 
  private:
   void rebuild();
+  double force_norm(const Eigen::VectorXd& rows) const;
 
   Layout layout_;
   Numbering numbering_;

@@ -70,18 +70,19 @@ constexpr int few_vertices = 200;  // one in so many
 // How exactly a step is worth solving for: as exactly as keeps the convergence quadratic (Eisenstat & Walker 1996: forcing
 // term of the order of the residual), ten times tighter so that the active set does not follow errors of the solution.
 // A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
-// from the solution, where the tangent changes too much from step to step and its inertia is in doubt.
+// from the solution, where the tangent changes too much from step to step and its inertia is in doubt. The residual that
+// counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
 Lag forcing(const NewtonSettings& settings, double residual, bool settled) {
   return {settings.may_lag && settled && residual < near, std::clamp(0.1 * residual, 1e-10, 1e-4)};
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
 // than pressures and multipliers), its convex part takes over.
-LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, bool settled,
+LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, const Lag& lag,
                      double proximal, Eigen::VectorXd& step) {
   const Tangent tangent = residual > settings.convex_above ? Tangent::convex : Tangent::full;
   if (tangent == Tangent::convex) scene.assemble(state, tangent);
-  LinearReport report = scene.solve(state, tangent, proximal, forcing(settings, residual, settled), step);
+  LinearReport report = scene.solve(state, tangent, proximal, lag, step);
   const bool indefinite = report.ok && report.negative_pivots > scene.saddle_rows();
   if (!indefinite || residual > settings.convex_above) return report;
   scene.assemble(state, Tangent::convex);
@@ -96,6 +97,7 @@ constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 struct Check {
   Measure measure;
   double residual, complementarity, round_off;
+  double condensed;  ///< the residual with volumes and pressures of cells brought in
   bool in_place;  ///< every moved support stands where it should
   bool done;
 };
@@ -106,9 +108,10 @@ Check check(const Scene& scene, const State& state, const NewtonSettings& settin
   const double force = std::max(c.measure.contact_force, c.measure.smallest_force), pressure = c.measure.reference_pressure;
   const double residual = scene.force_residual();
   c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
+  c.condensed = force > 0.0 ? scene.condensed_residual() / force : c.residual;
   c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
   const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
-  c.in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * state.values.cwiseAbs().maxCoeff();
+  c.in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * scene.farthest(state);
   c.round_off = scene.round_off(state);
   const bool balanced = c.residual <= settings.residual || residual <= c.round_off;
   c.done = c.in_place && balanced && c.complementarity <= settings.complementarity &&
@@ -143,7 +146,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   row.step = 1.0;
   Patience patience;
   State last = state;
-  double before = std::numeric_limits<double>::max(), boost = 1.0;
+  double before = std::numeric_limits<double>::max(), condensed_before = before, boost = 1.0;
   bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
   const bool bends = scene.find<Tissue>() || scene.find<Shell>();
   const bool downhill = !bends && scene.saddle_rows() == 0;
@@ -164,7 +167,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done) return Outcome::converged;
     if (patience.lost(now.residual, downhill && row.step >= long_stride)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
-    const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.residual < 0.5 * before;
+    const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
     if (too_far && boost < largest_boost) {  // hold back and repeat
       state = last;
@@ -173,13 +176,14 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
       boost *= 30.0;
     } else {
       last = state;
-      before = now.residual;
+      before = now.residual, condensed_before = now.condensed;
       in_place = now.in_place;  // the step that moves supports is the load: its residual is no growth
       boost = std::max(1.0, boost / 5.0);
     }
     Eigen::VectorXd step;
     const double proximal = settings.proximal * boost * std::min(1.0, before) + 1e-12;
-    const LinearReport report = descent(scene, state, settings, before, settled, proximal, step);
+    const Lag lag = forcing(settings, condensed_before, settled);
+    const LinearReport report = descent(scene, state, settings, before, lag, proximal, step);
     if (!report.ok) return Outcome::linear_solver_failed;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);

@@ -14,7 +14,7 @@ struct NewtonSettings {
   double residual = 1e-9;         ///< |R| over the sum of contact forces
   double complementarity = 1e-8;  ///< over the mean contact pressure
   double penetration = 1e-9;      ///< m, weighted gap of nodes in contact
-  double volume = 1e-10;          ///< relative volume error of a pressure unknown
+  double volume = 1e-10;          ///< relative volume error of a pressure
   int iterations = 30;
   double proximal = 1e-4;         ///< times the relative residual; vanishes at convergence, so it leaves no bias
   double convex_above = 0.02;     ///< relative residual above which only the convex part of the tangent is used

@@ -1,4 +1,4 @@
-// Where the pressure unknowns of tetrahedra stand: one a vertex and layer.
+// Where the pressures of the body stand: unknowns of tetrahedra, one a vertex and layer; modes of a hexahedron.
 #pragma once
 
 #include <array>
@@ -15,5 +15,10 @@ struct PressureUnknowns {
 
 /// None for hexahedra, whose pressure is condensed in the cell.
 PressureUnknowns pressure_unknowns(const mesh::BodyMesh& mesh);
+
+/// Pressures (and dilatations) of one hexahedron: 4 in Q2/P1, 1 in Q1/P0; none of a tetrahedron.
+constexpr int pressure_modes(mesh::CellKind kind) {
+  return kind == mesh::CellKind::hex27 ? 4 : kind == mesh::CellKind::hex8 ? 1 : 0;
+}
 
 }  // namespace snug::solver

@@ -16,6 +16,8 @@ class Sink {
  public:
   virtual ~Sink() = default;
   virtual void add(int element, std::span<const double> residual, std::span<const double> matrix) = 0;
+  /// With the matrix: what entries without unknowns, eliminated from the element, add to the residual of the others.
+  virtual void add_condensed(int, std::span<const double>) {}
   /// False for elements that another rank computes: they need not be added.
   virtual bool wants(int element) const { return true; }
 };
@@ -27,7 +29,7 @@ struct Measure {
   double complementarity = 0.0;    ///< Pa
   double penetration = 0.0;        ///< m
   double reference_pressure = 0.0; ///< Pa, mean over active nodes
-  double volume_error = 0.0;       ///< relative volume that a pressure unknown of the body misses
+  double volume_error = 0.0;       ///< relative volume that a pressure of the body misses
   int active = 0, changed = 0;     ///< contact nodes; changed in the last update
 };
 
@@ -49,6 +51,8 @@ class Term {
   virtual bool assemble(const State& state, Tangent tangent, Sink& sink) const = 0;
   /// Largest fraction of `direction` that stays admissible, at most `limit`.
   virtual double step_bound(const State&, const Eigen::VectorXd& direction, double limit) const { return limit; }
+  /// Gives its step to what the term eliminated: entries without unknowns follow from the step of the others.
+  virtual void recover(const State&, Eigen::VectorXd&) const {}
   /// Looks at a new iterate (search, active set) before assembly. Returns true when `entries` changed.
   virtual bool update(const State&) { return false; }
   /// Renews what stands still while Newton's method iterates (the quadrature of contact), before an increment.

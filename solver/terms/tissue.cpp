@@ -1,6 +1,7 @@
 #include "solver/terms/tissue.hpp"
 
 #include <Eigen/LU>
+#include <tbb/parallel_for.h>
 
 #include <cmath>
 
@@ -17,6 +18,7 @@ class Tissue::Kernel {
   virtual double energy(const State& state) const = 0;
   virtual bool assemble(const State& state, bool tangent, Sink& sink) const = 0;
   virtual double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const = 0;
+  virtual void recover(const State& state, Eigen::VectorXd& step) const = 0;
   virtual double volume_error(const State& state) const = 0;
   virtual Eigen::Matrix<double, 6, Eigen::Dynamic> nodal_stress(const State& state, int cell) const = 0;
   ElementEntries entries;
@@ -46,16 +48,18 @@ double dilatation(const materials::SolidLaw& law, double p) {
   return J;
 }
 
-/// Cells of `nodes` nodes and `points` quadrature points, with `modes` condensed pressures or `vertices` pressure
-/// unknowns in each.
+/// Cells of `nodes` nodes and `points` quadrature points, with `modes` dilatations and pressures of their own or `vertices`
+/// pressure unknowns in each.
 template <int nodes, int points, int modes, int vertices>
 class CellKernel final : public Tissue::Kernel {
   static constexpr int positions = 3 * nodes, size = positions + vertices, fields = modes + vertices;
   using PointValues = Eigen::Matrix<double, points, 1>;
+  using FieldVector = Eigen::Matrix<double, fields, 1>;
   using Fields = Eigen::Matrix<double, fields, fields>;
 
   struct Cell {
     std::array<int, size> entry;
+    int own;                                            ///< first entry of the dilatations; the pressures follow
     const materials::SolidLaw* law;
     bool split;
     Eigen::Matrix<double, nodes, 3 * points> gradient;  ///< node a, column 3 q + J, 1/m
@@ -69,8 +73,14 @@ class CellKernel final : public Tissue::Kernel {
     double volumetric_energy = 0.0;
   };
   struct Slot {
-    Eigen::Matrix<double, size, 1> residual;
+    Eigen::Matrix<double, size, 1> residual, condensed;
     Eigen::Matrix<double, size, size, Eigen::RowMajor> matrix;
+  };
+  /// The rows of a cell's own fields, their derivative to the positions and that of U'.
+  struct FieldRows {
+    FieldVector dilatation, pressure;                   ///< r_t, r_p
+    Eigen::Matrix<double, fields, positions> D;
+    Fields H;
   };
   struct Point {
     double energy;
@@ -88,6 +98,7 @@ class CellKernel final : public Tissue::Kernel {
       const CellTable table = tabulate(mesh, static_cast<int>(c));
       cell.law = &laws[mesh.cell_layer[c]];
       cell.split = materials::is_split(*cell.law);
+      cell.own = layout.cell_field(2 * modes * static_cast<int>(c));
       cell.gradient = table.gradient, cell.weight = table.weight;
       for (int a = 0; a < nodes; ++a)
         for (int i = 0; i < 3; ++i) cell.entry[3 * a + i] = layout.body(mesh.cells[c][a], i);
@@ -122,12 +133,14 @@ class CellKernel final : public Tissue::Kernel {
       Kinematics k;
       if (!kinematics(state, cells_[e], k)) return false;
       residual_and_tangent(cells_[e], k, tangent, slot);
-      if (state.stiffening != 1.0) slot.residual *= state.stiffening, slot.matrix *= state.stiffening;
+      if (state.stiffening != 1.0)
+        slot.residual *= state.stiffening, slot.matrix *= state.stiffening, slot.condensed *= state.stiffening;
       return slot.residual.allFinite();
     };
     return for_elements(sink, static_cast<int>(cells_.size()), slots, compute, [&](int e, Slot& slot) {
       sink.add(e, {slot.residual.data(), size},
                tangent ? std::span<const double>(slot.matrix.data(), size * size) : std::span<const double>());
+      if (modes > 0 && tangent && cells_[e].split) sink.add_condensed(e, {slot.condensed.data(), size});
     });
   }
 
@@ -144,9 +157,24 @@ class CellKernel final : public Tissue::Kernel {
     return bound;
   }
 
-  /// Largest relative volume by which a pressure unknown is missed.
+  void recover(const State& state, Eigen::VectorXd& step) const override {
+    if constexpr (modes > 0)
+      tbb::parallel_for(std::size_t{0}, cells_.size(), [&](std::size_t c) {
+        const Cell& cell = cells_[c];
+        Kinematics k;
+        if (!cell.split || !kinematics(state, cell, k)) return;
+        const FieldRows rows = field_rows(cell, k, true);
+        const Eigen::Matrix<double, 3, nodes> du = vectors(step, cell);
+        const FieldVector dt = cell.mass_inverse * (rows.pressure + rows.D * du.reshaped());
+        step.segment<modes>(cell.own) = dt;
+        step.segment<modes>(cell.own + modes) = cell.mass_inverse * (rows.dilatation + rows.H * dt);
+      });
+  }
+
+  /// Largest relative volume by which a pressure unknown is missed, or a cell's dilatation, or that its pressure is off the
+  /// law.
   double volume_error(const State& state) const override {
-    if constexpr (vertices == 0) return 0.0;
+    if constexpr (modes > 0) return field_error(state);
     Eigen::VectorXd missed = Eigen::VectorXd::Zero(state.values.size()), volume = missed;
     Kinematics k;
     for (const Cell& cell : cells_) {
@@ -181,10 +209,6 @@ class CellKernel final : public Tissue::Kernel {
     return x;
   }
 
-  PointValues project(const Cell& cell, const PointValues& values) const {
-    return cell.mode.transpose() * (cell.mass_inverse * (cell.mode * cell.weight.cwiseProduct(values)));
-  }
-
   bool kinematics(const State& state, const Cell& cell, Kinematics& k) const {
     const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * cell.gradient;
     for (int q = 0; q < points; ++q) {
@@ -194,7 +218,7 @@ class CellKernel final : public Tissue::Kernel {
       k.cofactor[q] = k.J[q] * k.F[q].inverse().transpose();
     }
     k.volumetric_energy = 0.0;
-    return !cell.split || (vertices > 0 ? given_pressure(state, cell, k) : condensed_pressure(cell, k));
+    return !cell.split || (vertices > 0 ? given_pressure(state, cell, k) : given_fields(state, cell, k));
   }
 
   bool given_pressure(const State& state, const Cell& cell, Kinematics& k) const {
@@ -210,18 +234,52 @@ class CellKernel final : public Tissue::Kernel {
     return true;
   }
 
-  bool condensed_pressure(const Cell& cell, Kinematics& k) const {
-    k.dilatation = project(cell, k.J);
-    if (!(k.dilatation.minCoeff() > 0.0)) return false;
-    PointValues pressure;
-    for (int q = 0; q < points; ++q) {
-      const auto v = materials::volumetric(*cell.law, k.dilatation[q]);
-      k.volumetric_energy += cell.weight[q] * v.energy;
-      pressure[q] = v.pressure;
-      k.modulus[q] = v.modulus;
+  bool given_fields(const State& state, const Cell& cell, Kinematics& k) const {
+    if constexpr (modes > 0) {
+      k.dilatation = PointValues::Ones() + cell.mode.transpose() * state.values.segment<modes>(cell.own);
+      k.pressure = cell.mode.transpose() * state.values.segment<modes>(cell.own + modes);
+      if (!(k.dilatation.minCoeff() > 0.0)) return false;
+      for (int q = 0; q < points; ++q) {
+        const auto v = materials::volumetric(*cell.law, k.dilatation[q]);
+        k.volumetric_energy += cell.weight[q] * (v.energy + k.pressure[q] * (k.J[q] - k.dilatation[q]));
+        k.modulus[q] = v.modulus;
+      }
     }
-    k.pressure = project(cell, pressure);
     return true;
+  }
+
+  FieldRows field_rows(const Cell& cell, const Kinematics& k, bool derivatives) const {
+    FieldRows rows;
+    PointValues off_law;
+    for (int q = 0; q < points; ++q)
+      off_law[q] = cell.weight[q] * (materials::volumetric(*cell.law, k.dilatation[q]).pressure - k.pressure[q]);
+    rows.dilatation = cell.mode * off_law;
+    rows.pressure = cell.mode * cell.weight.cwiseProduct(k.J - k.dilatation);
+    if (!derivatives) return rows;
+    rows.D = volume_derivative(cell, k);
+    rows.H = cell.mode * cell.weight.cwiseProduct(k.modulus).asDiagonal() * cell.mode.transpose();
+    return rows;
+  }
+
+  double field_error(const State& state) const {
+    double error = 0.0;
+    Kinematics k;
+    for (const Cell& cell : cells_) {
+      if (!cell.split || !kinematics(state, cell, k)) continue;
+      const FieldRows rows = field_rows(cell, k, false);
+      error = std::max(error, (cell.mass_inverse * rows.pressure).cwiseAbs().maxCoeff());
+      error = std::max(error, (cell.mass_inverse * rows.dilatation).cwiseAbs().maxCoeff() / k.modulus.maxCoeff());
+    }
+    return error;
+  }
+
+  Eigen::Matrix<double, fields, positions> volume_derivative(const Cell& cell, const Kinematics& k) const {
+    Eigen::Matrix<double, fields, positions> D = Eigen::Matrix<double, fields, positions>::Zero();
+    for (int q = 0; q < points; ++q) {
+      const Eigen::Matrix<double, 3, nodes> g = k.cofactor[q] * cell.gradient.template middleCols<3>(3 * q).transpose();
+      D += cell.weight[q] * cell.mode.col(q) * Eigen::Map<const Eigen::Matrix<double, 1, positions>>(g.data());
+    }
+    return D;
   }
 
   /// Energy, P and tangent of a point; the energy of a split law without its volumetric part.
@@ -273,24 +331,19 @@ class CellKernel final : public Tissue::Kernel {
 
   /// What ties the pressure to the volume: condensed into the displacements, or its own rows.
   void pressure_parts(const Cell& cell, const Kinematics& k, bool tangent, Slot& slot) const {
-    if (vertices > 0)
-      slot.residual.template tail<vertices>() =
-          (cell.mode * cell.weight.cwiseProduct(k.J - k.dilatation)).template tail<vertices>();
-    if (!tangent) return;
-    Eigen::Matrix<double, fields, positions> D = Eigen::Matrix<double, fields, positions>::Zero();
-    for (int q = 0; q < points; ++q) {
-      const Eigen::Matrix<double, 3, nodes> g = k.cofactor[q] * cell.gradient.template middleCols<3>(3 * q).transpose();
-      D += cell.weight[q] * cell.mode.col(q) * Eigen::Map<const Eigen::Matrix<double, 1, positions>>(g.data());
-    }
     if constexpr (vertices > 0) {
+      slot.residual.template tail<vertices>() = cell.mode * cell.weight.cwiseProduct(k.J - k.dilatation);
+      if (!tangent) return;
+      const Eigen::Matrix<double, fields, positions> D = volume_derivative(cell, k);
       slot.matrix.template bottomLeftCorner<vertices, positions>() = D;
       slot.matrix.template topRightCorner<positions, vertices>() = D.transpose();
       slot.matrix.template bottomRightCorner<vertices, vertices>() =
           -cell.mode * cell.weight.cwiseQuotient(k.modulus).asDiagonal() * cell.mode.transpose();
-    } else {
-      const Fields H = cell.mode * cell.weight.cwiseProduct(k.modulus).asDiagonal() * cell.mode.transpose();
-      const Fields middle = cell.mass_inverse * H * cell.mass_inverse;
-      slot.matrix.noalias() += D.transpose() * (middle * D);
+    } else if (tangent) {
+      const FieldRows rows = field_rows(cell, k, true);
+      const Fields middle = cell.mass_inverse * rows.H * cell.mass_inverse;
+      slot.matrix.noalias() += rows.D.transpose() * (middle * rows.D);
+      slot.condensed.noalias() = rows.D.transpose() * (cell.mass_inverse * rows.dilatation + middle * rows.pressure);
     }
   }
 
@@ -322,6 +375,7 @@ bool Tissue::assemble(const State& state, Tangent tangent, Sink& sink) const {
 double Tissue::step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const {
   return kernel_->step_bound(state, direction, limit);
 }
+void Tissue::recover(const State& state, Eigen::VectorXd& step) const { kernel_->recover(state, step); }
 void Tissue::measure(const State& state, Measure& measure) const {
   measure.volume_error = std::max(measure.volume_error, kernel_->volume_error(state));
 }

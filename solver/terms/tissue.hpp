@@ -10,12 +10,17 @@
 
 namespace snug::solver {
 
-/// Hexahedra: energy  sum_cells int W_iso(F) + U(J~) dV  with J~ the L2 projection of J = det F on {1, X, Y, Z} of the
-/// cell (Q2/P1) or on {1} (Q1/P0). This is the three-field form of Simo, Taylor & Pister (1985), deal.II step-44, with
-/// pressure and dilatation eliminated:
-///   residual  int (P_iso + p cof F) : grad dv,   p = projection of U'(J~);
-///   tangent   int grad : (A_iso + p dcof F/dF) : grad  +  D^T M^-1 Hm M^-1 D,
-///   D_m = int phi_m cof F : grad,  M_mn = int phi_m phi_n,  Hm_mn = int U''(J~) phi_m phi_n.
+/// Hexahedra: the three-field form of Simo, Taylor & Pister (1985), deal.II step-44, with dilatation t and pressure p of a
+/// cell in the modes {1, X, Y, Z} (Q2/P1) or {1} (Q1/P0). Stationary point of
+///   sum_cells int W_iso(F) + U(t) + p (J - t) dV,   J = det F.
+/// t and p are entries of the state without unknowns. Newton's method takes them along: their equations, linear in the step,
+/// are solved cell by cell, so that the count of iterations does not grow with the bulk modulus, as it does where p follows
+/// U'(J) of every iterate.
+///   residual   int (P_iso + p cof F) : grad dv,   r_t = int phi (U'(t) - p),   r_p = int phi (J - t);
+///   condensed  D^T M^-1 (r_t + H M^-1 r_p), added to the residual on the right side;
+///   tangent    int grad : (A_iso + p dcof F/dF) : grad  +  D^T M^-1 H M^-1 D;
+///   recovered  dt = M^-1 (r_p + D du),   dp = M^-1 (r_t + H dt),
+///   D_m = int phi_m cof F : grad,  M_mn = int phi_m phi_n,  H_mn = int U''(t) phi_m phi_n.
 ///
 /// Tetrahedra: Taylor & Hood's P2/P1 with the pressure at the vertices as an unknown, continuous inside a layer and not
 /// from one layer to the next (a continuous pressure across a contrast of stiffness is wrong). Stationary point of
@@ -34,6 +39,7 @@ class Tissue : public Term {
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
+  void recover(const State& state, Eigen::VectorXd& step) const override;
   void measure(const State& state, Measure& measure) const override;
 
   /// Cauchy stress (Pa; rows xx yy zz xy yz xz) at the nodes of a cell, extrapolated from the quadrature points.

@@ -37,6 +37,7 @@ struct SoftDrum {
   solver::Numbering numbering(const solver::Layout& layout) const {
     std::vector<int> master(layout.size());
     for (int i = 0; i < layout.size(); ++i) master[i] = i;
+    for (int i = 0; i < layout.cell_fields; ++i) master[layout.cell_field(i)] = -1;
     for (int node = 0; node < layout.body_nodes; ++node) master[layout.body(node, 2)] = -1;
     for (const int node : body.bone_nodes)
       for (int c = 0; c < 2; ++c) master[layout.body(node, c)] = -1;

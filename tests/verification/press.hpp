@@ -51,11 +51,12 @@ inline mesh::GarmentMesh sheet(std::array<int, 2> n, const Eigen::Vector2d& size
   return mesh;
 }
 
-/// Entries that do not move: master -1.
+/// Entries that do not move, and those without unknowns: master -1.
 struct Fixed {
   std::vector<int> master;
   explicit Fixed(const Layout& layout) : master(layout.size()) {
     for (int i = 0; i < layout.size(); ++i) master[i] = i;
+    for (int i = 0; i < layout.cell_fields; ++i) fix(layout.cell_field(i));
   }
   void fix(int entry) { master[entry] = -1; }
 };

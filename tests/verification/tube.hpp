@@ -15,23 +15,24 @@ namespace snug::tests {
 /// A cylindrical limb with a rigid bone, tissue, and a sleeve as long as the limb whose ends are held along the axis.
 struct TubeCase {
   double bone = 0.020, radius = 0.055, length = 0.060;           ///< m
+  double taper = 0.0;                                             ///< radius gained along the length
   double sleeve = 0.044;                                          ///< m, rest radius
   std::string tissue = "law = 'neo-Hooke'\nshear_modulus = '10 kPa'\npoisson_ratio = 0.49";
   std::string fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
   int around = 16, along = 4, through = 2;
   double cell_size = 0.0;                                         ///< m, garment; 0: half the skin's
-  std::string tier = "L4", basis = "hat";
+  std::string tier = "L4", basis = "hat", elements = "Q2/P1";
   double bone_ratio = 1.0, bone_offset = 0.0;                     ///< width over depth of the bone; m, along x
 };
 
 inline std::filesystem::path write_stations(const TubeCase& tube) {
   const auto path = std::filesystem::temp_directory_path() /
-                    ("snug-tube-" + std::to_string(::getpid()) + "-" + std::to_string(tube.radius) + ".csv");
+                    ("snug-tube-" + std::to_string(::getpid()) + "-" + std::to_string(tube.radius) + "-" + std::to_string(tube.taper) + ".csv");
   std::ofstream out(path);
   out.precision(17);
   out << "height [m], girth [m], bone_girth [m], bone_width_to_depth, bone_x [m]\n";
   for (const double z : {0.0, 0.5 * tube.length, tube.length})
-    out << z << ", " << 2.0 * std::numbers::pi * tube.radius << ", " << 2.0 * std::numbers::pi * tube.bone << ", "
+    out << z << ", " << 2.0 * std::numbers::pi * (tube.radius + tube.taper * z) << ", " << 2.0 * std::numbers::pi * tube.bone << ", "
         << tube.bone_ratio << ", " << tube.bone_offset << "\n";
   return path;
 }
@@ -45,6 +46,7 @@ inline input::Case describe_tube(const TubeCase& tube) {
   bone.name = "bone", bone.material.name = "rigid", bone.form = "rigid";
   tissue.name = "tissue", tissue.material.table = tube.tissue, tissue.cells = tube.through;
   c.body->layers = {bone, tissue};
+  c.body->elements = tube.elements;
   c.body->cells_around = tube.around, c.body->cells_along = tube.along;
   c.garment.emplace();
   c.garment->pattern.flat_circumference = 2.0 * std::numbers::pi * tube.sleeve;

@@ -8,10 +8,11 @@
 
 namespace snug::tests {
 
-/// Residual and dense tangent of one term on all entries of the state.
+/// Residual, dense tangent and condensed right side of one term on all entries of the state.
 struct Assembled {
   Eigen::VectorXd residual;
   Eigen::MatrixXd tangent;
+  Eigen::VectorXd condensed;
 };
 
 class DenseSink : public solver::Sink {
@@ -24,6 +25,11 @@ class DenseSink : public solver::Sink {
     for (std::size_t k = 0; k < matrix.size(); ++k) out_.tangent(entries[k / n], entries[k % n]) += matrix[k];
   }
 
+  void add_condensed(int element, std::span<const double> values) override {
+    const auto entries = entries_.of(element);
+    for (std::size_t i = 0; i < values.size(); ++i) out_.condensed[entries[i]] += values[i];
+  }
+
  private:
   const solver::ElementEntries& entries_;
   Assembled& out_;
@@ -31,10 +37,19 @@ class DenseSink : public solver::Sink {
 
 inline Assembled assemble(const solver::Term& term, const solver::State& state, solver::Tangent tangent) {
   const Eigen::Index n = state.values.size(), m = solver::wanted(tangent) ? n : 0;
-  Assembled out{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(m, m)};
+  Assembled out{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(m, m), Eigen::VectorXd::Zero(n)};
   DenseSink sink(term.entries(), out);
   term.assemble(state, tangent, sink);
   return out;
+}
+
+/// Puts what the term eliminated where the positions want it: dilatations are linear in their step, pressures then, too.
+inline void settle(const solver::Term& term, solver::State& state) {
+  for (int k = 0; k < 2; ++k) {
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(state.values.size());
+    term.recover(state, step);
+    state.values += step;
+  }
 }
 
 /// Error of central differences of the residual along `direction` against the tangent, for steps h, h/2, h/4

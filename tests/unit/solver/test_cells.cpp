@@ -6,6 +6,7 @@
 #include "solver/terms/dead_load.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/pressure_load.hpp"
+#include "solver/terms/pressure_unknowns.hpp"
 #include "tests/unit/solver/terms.hpp"
 #include "tests/verification/blocks.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 
 using solver::State, solver::Tangent;
 
-/// Two cells of each direction in two layers, all nodes shaken and pressures off their law.
+/// Two cells of each direction in two layers, all nodes shaken; pressures of tetrahedra off their law, dilatations and
+/// pressures of hexahedra where the positions want them.
 struct ShakenBlock {
   BlockCase block;
   solver::Scene scene;
@@ -28,6 +30,20 @@ struct ShakenBlock {
     state.load = 0.6, state.stiffening = 2.0;
     state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 0.02, 1);
     state.values.segment(layout.pressure(0), layout.pressures) = random_vector(layout.pressures, 500.0, 3);
+    settle(tissue(), state);
+  }
+
+  const solver::Tissue& tissue() const { return *scene.find<solver::Tissue>(); }
+
+  /// Dilatations by a few hundredths and pressures by 500 Pa off what the positions want.
+  void unsettle() {
+    const solver::Layout& layout = scene.layout();
+    const int modes = solver::pressure_modes(block.mesh.kind);
+    for (std::size_t c = 0; c < block.mesh.cells.size(); ++c) {
+      const int first = layout.cell_field(2 * modes * static_cast<int>(c));
+      state.values.segment(first, modes) += random_vector(modes, 0.02, 100 + static_cast<unsigned>(c));
+      state.values.segment(first + modes, modes) += random_vector(modes, 500.0, 200 + static_cast<unsigned>(c));
+    }
   }
 
   static BlockCase make(CellKind kind, const std::string& second) {
@@ -41,10 +57,12 @@ struct ShakenBlock {
     return block;
   }
 
-  /// Positions by 1, pressures by 1e4: both move the residual alike.
+  /// Positions by 1, pressures by 1e4: both move the residual alike. What is eliminated goes along.
   Eigen::VectorXd direction() const {
-    Eigen::VectorXd d = random_vector(scene.layout().size(), 1.0, 2);
-    d.tail(scene.layout().pressures) *= 1e4;
+    const solver::Layout& layout = scene.layout();
+    Eigen::VectorXd d = random_vector(layout.size(), 1.0, 2);
+    d.segment(layout.pressure(0), layout.pressures) *= 1e4;
+    tissue().recover(state, d);
     return d;
   }
 };
@@ -70,6 +88,63 @@ TEST_P(Cells, TangentAndResidualAreDerivatives) {
   const double coarse = std::abs((energy(2 * h) - energy(-2 * h)) / (4.0 * h) - exact);
   EXPECT_LE(std::abs(slope - exact), 1e-5 * std::abs(exact));
   EXPECT_GE(coarse / std::abs(slope - exact), 3.5);
+}
+
+/// Where dilatations and pressures of hexahedra are off, the residual is the gradient of the energy while they stand.
+TEST_P(Cells, ResidualIsTheGradientWithTheFieldsHeld) {
+  ShakenBlock shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  shaken.unsettle();
+  const solver::Layout& layout = shaken.scene.layout();
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout.size());
+  direction.head(layout.pressure(0)) = random_vector(layout.pressure(0), 1.0, 2);
+  const auto energy = [&](double s) {
+    State moved = shaken.state;
+    moved.values += s * direction;
+    return shaken.tissue().energy(moved);
+  };
+  const auto slope = [&](double h) { return (energy(h) - energy(-h)) / (2.0 * h); };
+  const double exact = assemble(shaken.tissue(), shaken.state, Tangent::none).residual.dot(direction);
+  const double error = std::abs(slope(1e-4) - exact);
+  EXPECT_LE(error, 1e-5 * std::abs(exact));
+  EXPECT_GE(std::abs(slope(2e-4) - exact) / error, 3.5);
+}
+
+/// One Newton step of the whole system: along the positions' step with what `recover` makes of it, the residual changes by
+/// the condensed tangent times the step plus the condensed right side, and the fields' own equations fall quadratically.
+TEST_P(Cells, EliminationIsTheNewtonStepOfAllFields) {
+  ShakenBlock shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  shaken.unsettle();
+  const State& state = shaken.state;
+  const Assembled at = assemble(shaken.tissue(), state, Tangent::full);
+  Eigen::VectorXd step = Eigen::VectorXd::Zero(state.values.size());
+  step.head(shaken.scene.layout().pressure(0)) = random_vector(shaken.scene.layout().pressure(0), 1e-3, 5);
+  shaken.tissue().recover(state, step);
+  const auto moved = [&](double s) {
+    State m = state;
+    m.values += s * step;
+    return m;
+  };
+  const Eigen::VectorXd change = at.tangent * step + at.condensed;
+  const auto error = [&](double h) {
+    return ((assemble(shaken.tissue(), moved(h), Tangent::none).residual -
+             assemble(shaken.tissue(), moved(-h), Tangent::none).residual) / (2.0 * h) - change).norm() / change.norm();
+  };
+  EXPECT_LE(error(0.05), 1e-3);
+  EXPECT_NEAR(error(0.1) / error(0.05), 4.0, 0.3);
+  if (solver::pressure_modes(shaken.block.mesh.kind) == 0 || std::get<1>(GetParam()).find("linear") < 20) {
+    EXPECT_EQ(at.condensed.norm(), 0.0);  // nothing is eliminated
+    return;
+  }
+  EXPECT_GT(at.condensed.norm(), 1e-3 * at.residual.norm());
+  const auto off = [&](double s) {  // the volume that is missed beyond the linear share of the step not taken
+    const State m = moved(s);
+    Eigen::VectorXd rest = Eigen::VectorXd::Zero(state.values.size());
+    shaken.tissue().recover(m, rest);
+    Eigen::VectorXd full = Eigen::VectorXd::Zero(state.values.size());
+    shaken.tissue().recover(state, full);
+    return (rest - (1.0 - s) * full).segment(shaken.scene.layout().cell_field(0), 1)[0];
+  };
+  EXPECT_NEAR(off(0.2) / off(0.1), 4.0, 0.3);
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -24,7 +24,7 @@ struct Rubbed {
         scene(solver::make_scene(description, meshes.body, meshes.garment, skin)),
         state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
     const solver::Layout& layout = scene.layout();
-    state.values.head(layout.multiplier(0)) += random_vector(layout.multiplier(0), 2e-5, 1);
+    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 2e-5, 1);
     for (int i = 0; i < layout.multipliers; ++i) state.values[layout.multiplier(i)] = 5000.0 + 1000.0 * std::sin(i);
     scene.find<solver::Contact>()->set_stiffness(1.0);  // all vertices decide for contact
     friction().renew(state);
@@ -36,7 +36,7 @@ struct Rubbed {
       auto x = state.values.segment<3>(layout.garment(node));
       x = turn * x + Eigen::Vector3d(0.0, 0.0, 0.6 * slip);
     }
-    state.values.head(layout.multiplier(0)) += random_vector(layout.multiplier(0), 0.3 * slip, 5);
+    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 0.3 * slip, 5);
     update();
   }
 
@@ -128,7 +128,7 @@ TEST(Friction, ForcesAndMomentsBalanceToRoundOff) {
   const Eigen::VectorXd f = assemble(rubbed.friction(), rubbed.state, Tangent::none).residual;
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
   double size = 0.0;
-  for (int entry = 0; entry < layout.multiplier(0); entry += 3) {
+  for (int entry = 0; entry < layout.pressure(0); entry += 3) {
     const Eigen::Vector3d x = rubbed.state.values.segment<3>(entry), nodal = f.segment<3>(entry);
     force += nodal, moment += x.cross(nodal), size += nodal.norm();
   }
@@ -143,7 +143,7 @@ TEST(Friction, ACommonDisplacementDoesNotRub) {
   State state = rubbed.state;
   state.traction.setZero();
   state.values = state.reference;
-  for (int entry = 0; entry < rubbed.scene.layout().multiplier(0); entry += 3)
+  for (int entry = 0; entry < rubbed.scene.layout().pressure(0); entry += 3)
     state.values.segment<3>(entry) += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
   EXPECT_LE(assemble(rubbed.friction(), state, Tangent::none).residual.norm(), 1e-10);
 }

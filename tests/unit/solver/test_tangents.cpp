@@ -27,7 +27,7 @@ struct Shaken {
         state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
     const solver::Layout& layout = scene.layout();
     state.load = 0.6, state.stiffening = 3.0;
-    state.values.head(layout.multiplier(0)) += random_vector(layout.multiplier(0), 2e-5, 1);
+    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 2e-5, 1);
     const Eigen::AngleAxisd turn(0.07, Eigen::Vector3d::UnitZ());
     const Eigen::Vector3d middle(0.0, 0.0, 0.03);
     for (int node = 0; node < layout.garment_nodes; ++node) {
@@ -36,6 +36,7 @@ struct Shaken {
       x = middle + Eigen::Vector3d(arm.x(), arm.y(), axial * arm.z());
     }
     for (int i = 0; i < layout.multipliers; ++i) state.values[layout.multiplier(i)] = 5000.0 + 1000.0 * std::sin(i);
+    for (const auto& term : scene.terms()) settle(*term, state);
   }
 
   static input::Case describe(const std::string& basis) {
@@ -49,10 +50,11 @@ struct Shaken {
     return c;
   }
 
-  /// Random direction of the positions; pressures stay.
+  /// Random direction of the positions, and what follows from them; contact pressures stay.
   Eigen::VectorXd direction() const {
     Eigen::VectorXd d = random_vector(scene.layout().size(), 1.0, 2);
     d.tail(scene.layout().multipliers).setZero();
+    for (const auto& term : scene.terms()) term->recover(state, d);
     return d;
   }
   /// All multipliers decide for contact whatever the gap, so that the active set stays over the differences.
