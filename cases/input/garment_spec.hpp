@@ -53,7 +53,7 @@ struct GarmentSpec {
   MaterialReference fabric;
   std::string warp = "along";  ///< along | around the body's axis
   double position = 0.0;       ///< m; height of the lower edge as placed
-  double cell_size = 0.0;      ///< m; 0 = half the skin's mean cell size
+  double cell_size = 0.0;      ///< m, on the pattern; 0 = by the skin's cells
   int order = 2;               ///< of the triangles
   std::vector<HeldEdge> held;
   Location where;
@@ -71,7 +71,8 @@ struct GarmentSpec {
           self.position);
     field(Field{.key = "cell_size",
                 .unit = "m",
-                .meaning = "edge length of the triangles; 0 m: half the mean cell size of the skin",
+                .meaning = "edge length of the triangles on the pattern; 0 m: half the mean cell size of the skin as worn, finer "
+                           "where the tissue is soft for the pressure",
                 .bound = non_negative()},
           self.cell_size);
     field(Field{.key = "order",

@@ -90,6 +90,8 @@ int location_of(const std::vector<input::LocationSpec>& locations, double angle,
 
 /// Mean edge length of facets, m.
 double mean_edge(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets);
+/// The shortest one, m.
+double shortest_edge(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets);
 
 /// Facets of the cells' faces whose nodes all satisfy `keep` (indexed by node) and that no other cell shares.
 std::vector<FacetNodeNumbers> boundary_facets(const BodyMesh& mesh, const std::vector<char>& keep);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "mesh/body/body_mesh.hpp"
 
@@ -115,15 +116,29 @@ const Surface* BodyMesh::surface(const std::string& name) const {
   return nullptr;
 }
 
-double mean_edge(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets) {
+namespace {
+
+std::vector<double> edge_lengths(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets) {
   const FacetKind kind = facet_kind(mesh.kind);
   const auto corner = corners(kind);
   const int edges = kind == FacetKind::tri6 ? 3 : 4;
-  double sum = 0.0;
+  std::vector<double> lengths;
   for (const auto& facet : facets)
     for (int e = 0; e < edges; ++e)
-      sum += (mesh.nodes[facet[corner[e]]] - mesh.nodes[facet[corner[(e + 1) % edges]]]).norm();
-  return facets.empty() ? 0.0 : sum / (edges * static_cast<double>(facets.size()));
+      lengths.push_back((mesh.nodes[facet[corner[e]]] - mesh.nodes[facet[corner[(e + 1) % edges]]]).norm());
+  return lengths;
+}
+
+}  // namespace
+
+double mean_edge(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets) {
+  const std::vector<double> lengths = edge_lengths(mesh, facets);
+  return lengths.empty() ? 0.0 : std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+}
+
+double shortest_edge(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets) {
+  const std::vector<double> lengths = edge_lengths(mesh, facets);
+  return lengths.empty() ? 0.0 : *std::min_element(lengths.begin(), lengths.end());
 }
 
 std::vector<FacetNodeNumbers> boundary_facets(const BodyMesh& mesh, const std::vector<char>& keep) {

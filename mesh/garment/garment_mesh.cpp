@@ -62,6 +62,23 @@ std::vector<Eigen::Vector3d> place(const PatternMesh& pattern, const std::vector
   return placed;
 }
 
+/// How far the limb stretches the garment round it, in the mean over the cover; at least 1.
+double mean_stretch(const input::GarmentSpec& spec, const Limb& limb) {
+  constexpr int samples = 16;
+  double sum = 0.0;
+  for (int i = 0; i < samples; ++i)
+    sum += std::max(1.0, limb.girth(spec.position + (i + 0.5) / samples * spec.pattern.length) / spec.pattern.flat_circumference);
+  return sum / samples;
+}
+
+/// Triangles that are even as worn: meshed at the width that the limb stretches them to, then brought back.
+PatternMesh mesh_as_worn(const input::GarmentSpec& spec, const Limb& limb, double worn_size) {
+  const double stretch = mean_stretch(spec, limb);
+  PatternMesh pattern = mesh_rectangle(stretch * spec.pattern.flat_circumference, spec.pattern.length, worn_size);
+  for (Eigen::Vector2d& x : pattern.nodes) x.x() /= stretch;
+  return pattern;
+}
+
 std::vector<int> representatives(const std::vector<int>& side, const std::vector<int>& merged) {
   std::vector<int> nodes;
   for (int node : side)
@@ -72,11 +89,12 @@ std::vector<int> representatives(const std::vector<int>& side, const std::vector
 
 }  // namespace
 
-GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double cell_size, double lift) {
-  const double size = spec.cell_size > 0.0 ? spec.cell_size : cell_size;
-  check(spec, limb, size);
+GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift) {
+  const bool given = spec.cell_size > 0.0;
+  check(spec, limb, given ? spec.cell_size : worn_size);
   const double width = spec.pattern.flat_circumference;
-  const PatternMesh pattern = mesh_rectangle(width, spec.pattern.length, size);
+  const PatternMesh pattern =
+      given ? mesh_rectangle(width, spec.pattern.length, spec.cell_size) : mesh_as_worn(spec, limb, worn_size);
 
   GarmentMesh mesh;
   mesh.pattern = pattern.nodes;

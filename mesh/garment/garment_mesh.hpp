@@ -27,8 +27,9 @@ struct GarmentMesh {
 };
 
 /// Meshes the pattern with gmsh (irregular triangles, equal divisions along both sides of a seam) and wraps it round
-/// the limb with its seam at the inner side (turn 0.5), lifted to `lift` off the skin along its normal. Throws
-/// input::InputError when the garment does not fit between the cut planes or a size is not positive.
-GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double cell_size, double lift = 2e-4);
+/// the limb with its seam at the inner side (turn 0.5), lifted to `lift` off the skin along its normal. Edges are about
+/// `worn_size` (m) on the garment as it is worn, stretched round the limb, or `spec.cell_size` on the pattern where the
+/// case gives one. Throws input::InputError when the garment does not fit between the cut planes or a size is not positive.
+GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift = 2e-4);
 
 }  // namespace snug::mesh

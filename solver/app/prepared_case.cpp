@@ -9,6 +9,7 @@
 #include "mesh/body/import.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
+#include "solver/scene/garment_cells.hpp"
 
 namespace snug::app {
 
@@ -86,9 +87,8 @@ solver::Meshes make_meshes(const input::Case& description) {
     meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   }
   if (!description.garment) return meshes;
-  const double given = description.garment->cell_size;
-  const double cell_size = given > 0.0 ? given : 0.5 * meshes.body.mean_skin_cell;
-  meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb, cell_size);
+  meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb,
+                                           solver::worn_cell_size(description, meshes.limb, meshes.body));
   return meshes;
 }
 

@@ -57,9 +57,11 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
     State trial = failures == 0 ? predict(result, before, span, t - result.reached, scene.layout()) : result.state;
     homotopy(trial, t);
     const int increment = result.increments + 1;
+    int iterations = 0;
     const Outcome outcome =
         newton(scene, trial, increment_settings(path, last, failures), [&](postproc::Iteration row) {
           row.increment = increment;
+          iterations = row.iteration;
           sink(row);
         });
     if (outcome == Outcome::converged) {
@@ -75,7 +77,8 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
       if (t + 1.3 * step > 1.0) step = 1.0 - t;
     } else {
       result.message = to_string(outcome);
-      if (++failures > path.failures || step < path.smallest_step) {
+      result.lost += iterations;
+      if (++failures > path.failures || step < path.smallest_step || result.lost > path.lost_iterations) {
         scene.renew(result.state);  // terms look at the state that is returned, not at the failed one
         scene.update(result.state);
         return result;

@@ -9,6 +9,7 @@ struct PathSettings {
   double first_step = 1.0;      ///< the whole path; what fails is halved
   double intermediate_residual = 1e-3;
   int failures = 8;             ///< halvings in a row before giving up
+  int lost_iterations = 100;    ///< of increments that failed, before giving up
   double smallest_step = 2e-3;  ///< shorter steps than this are no progress
   double longest_step = 1.0;
   NewtonSettings newton;        ///< of the final increment
@@ -26,11 +27,12 @@ Homotopy releasing(double factor);
 Homotopy letting_go();
 
 struct PathResult {
-  State state;                  ///< the last converged one
+  State state = {};             ///< the last converged one
   double reached = 0.0;         ///< t of that state
   bool complete = false;        ///< t = 1 reached
   int increments = 0;
-  std::string message;          ///< why not
+  int lost = 0;                 ///< iterations of increments that failed
+  std::string message = {};     ///< why not
 };
 
 /// Secant prediction, Newton, longer steps after success, shorter steps and a stronger proximal term after failure.

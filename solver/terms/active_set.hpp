@@ -7,16 +7,18 @@ namespace snug::solver {
 
 /// Block principal pivoting (Judice & Pires, Computers & Operations Research 21 (1994)): all vertices on the wrong side
 /// change at once as long as their number falls. When it has not for some iterations the sets go in circles, which the
-/// hats' full coupling allows; then only the last of them changes, which ends for every positive definite problem
-/// (Murty, Linear Algebra and its Applications 7 (1974)), until the number has fallen.
+/// hats' full coupling allows; then only those change that are wrong by at least a share of the worst, so that small errors
+/// beside it, which its change may mend, do not come and go with it. The worst one is always among them. Where that does
+/// not help for long, the last one alone changes, which ends for every positive definite problem (Murty, Linear Algebra
+/// and its Applications 7 (1974)).
 class ActiveSet {
  public:
   explicit ActiveSet(int vertices) : flags_(vertices, 0) {}
 
   /// Before an increment: the count of the vertices on the wrong side starts anew.
   void begin();
-  /// Changes towards the decisions of an iterate, one flag a vertex.
-  void follow(const std::vector<char>& decided);
+  /// Changes towards the trials of an iterate, one a vertex: positive in contact; any unit, the same for all.
+  void follow(const std::vector<double>& trials);
 
   bool operator[](int vertex) const { return flags_[vertex]; }
   const std::vector<char>& flags() const { return flags_; }
@@ -25,7 +27,7 @@ class ActiveSet {
 
  private:
   std::vector<char> flags_;
-  int changed_ = 0, fewest_wrong_ = 0, patience_ = 0;
+  int changed_ = 0, fewest_wrong_ = 0, waited_ = 0;
 };
 
 }  // namespace snug::solver

@@ -85,12 +85,12 @@ void Contact::weigh(const State& state) {
 bool Contact::faces(int vertex) const { return facing_area_[vertex] > 0.05 * slave_.area[vertex]; }
 
 void Contact::decide(const State& state) {
-  std::vector<char> touching(vertices());
+  std::vector<double> trials(vertices());
   for (int i = 0; i < vertices(); ++i) {
     const double trial = state.values[layout_.multiplier(i)] - stiffness_ * weighted_gap_[i] / slave_.area[i];
-    touching[i] = trial > 0.0 && faces(i);
+    trials[i] = faces(i) ? trial : -std::abs(trial);
   }
-  active_.follow(touching);
+  active_.follow(trials);
 }
 
 bool Contact::update(const State& state) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "cases/input/case.hpp"
+#include "solver/scene/garment_cells.hpp"
 #include "solver/scene/run.hpp"
 
 namespace snug::tests {
@@ -64,7 +65,7 @@ inline solver::Meshes make_meshes(const input::Case& c) {
   solver::Meshes meshes;
   meshes.limb = mesh::make_limb(*c.body);
   meshes.body = mesh::make_body_mesh(*c.body, meshes.limb);
-  if (c.garment) meshes.garment = mesh::make_garment_mesh(*c.garment, meshes.limb, 0.5 * meshes.body.mean_skin_cell);
+  if (c.garment) meshes.garment = mesh::make_garment_mesh(*c.garment, meshes.limb, solver::worn_cell_size(c, meshes.limb, meshes.body));
   return meshes;
 }
 
