@@ -20,11 +20,12 @@ struct LinearReport {
   bool ok = false;
   bool refactored = false;
   int iterations = 0;         ///< of FGMRES, those of a lagged factor that gave way included
-  int negative_pivots = -1;   ///< of the last factor, -1 when unknown
+  int negative_pivots = -1;   ///< of the last factor, -1 when unknown and of a matrix that is not symmetric
   double factor_seconds = 0.0, solve_seconds = 0.0;
 };
 
-/// Symmetric (possibly indefinite) systems. Rows are distributed over the communicator as the scatter says.
+/// Symmetric (possibly indefinite) systems, and others near to symmetric ones: their symmetric part is factored and FGMRES
+/// works on the whole; where that does not get there the whole is factored (LU). Rows are distributed over the communicator as the scatter says.
 /// Forces and gaps stand in one system, so its rows are brought to one unit before any norm is taken: D A D with
 /// D_ii = A_ii^-1/2 where a row has stiffness of its own, and 1 / max_j |A_ij| D_jj where it has none (a constraint), of
 /// the last factored matrix.
@@ -37,7 +38,7 @@ class LinearSolver {
 
   /// Takes over a new sparsity pattern of a scatter that outlives its use here. The last factor is kept as a
   /// preconditioner where the unknowns are as many as before; the next factorisation analyses anew.
-  void reset(SparseScatter& scatter, int unknowns);
+  void reset(SparseScatter& scatter, int unknowns, bool symmetric = true);
   /// Solves matrix * x = right (both over all unknowns; the result is known on every rank). Where a lag is allowed,
   /// the last factor preconditions FGMRES; when that takes too long the matrix is factored anew. The values of the
   /// scatter are scaled in place: assemble again before the next solve.

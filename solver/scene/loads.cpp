@@ -64,12 +64,14 @@ std::vector<mesh::FacetPressure> surface_pressures(const input::LoadSpec& load, 
 }
 
 void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {
-  for (const mesh::FacetPressure& p : body.pressures)
-    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, "faces of the file", p.facets, p.value));
-  if (load.skin_pressure != 0.0)
-    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, "skin", body.skin_facets, load.skin_pressure));
-  for (const auto& p : load.pressure)
-    scene.add(std::make_unique<PressureLoad>(scene.layout(), body, p.on, facets_of(body, p.on, p.where), p.value));
+  const auto press = [&](const std::string& name, const std::vector<mesh::FacetNodeNumbers>& facets, double pressure) {
+    auto term = std::make_unique<PressureLoad>(scene.layout(), body, name, facets, pressure);
+    term->hold_border(scene.numbering());
+    scene.add(std::move(term));
+  };
+  for (const mesh::FacetPressure& p : body.pressures) press("faces of the file", p.facets, p.value);
+  if (load.skin_pressure != 0.0) press("skin", body.skin_facets, load.skin_pressure);
+  for (const auto& p : load.pressure) press(p.on, facets_of(body, p.on, p.where), p.value);
   auto dead = std::make_unique<DeadLoad>(scene.layout(), dead_forces(load, body));
   if (dead->entries().elements() > 0) scene.add(std::move(dead));
 }

@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 #include "materials/laws/skin_membrane.hpp"
 #include "solver/algebra/communicator.hpp"
 #include "solver/scene/friction_choice.hpp"
@@ -80,7 +82,8 @@ void Scene::rebuild() {
   for (const auto& term : terms_) groups.push_back(&term->entries());
   const auto [first, end] = numbering_.owned(rank());
   scatter_.build(numbering_, groups, first, end);
-  solver_.reset(scatter_, numbering_.unknowns());
+  const bool symmetric = std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->symmetric(); });
+  solver_.reset(scatter_, numbering_.unknowns(), symmetric);
   built_ = true;
 }
 

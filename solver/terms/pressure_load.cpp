@@ -2,6 +2,11 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/garment_shape.hpp"
 
@@ -26,6 +31,9 @@ PressureLoad::PressureLoad(const Layout& layout, const mesh::BodyMesh& mesh, std
     const std::array<int, 27> slots = facet_entries(layout, facet);
     entries_.push(std::span(slots).first(3 * node_count(kind)));
   }
+  const std::vector<int>& outline = facet_domain(kind).outline;
+  const int nodes_an_edge = static_cast<int>(outline.size() / facet_domain(kind).edge_corners.size());
+  find_border(outline, nodes_an_edge, [&](int facet, int a) { return mesh.nodes[facets[facet][a]]; });
 }
 
 PressureLoad::PressureLoad(const Layout& layout, const mesh::GarmentMesh& mesh, double pressure)
@@ -43,6 +51,50 @@ PressureLoad::PressureLoad(const Layout& layout, const mesh::GarmentMesh& mesh, 
       for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(mesh.merged[triangle[a]], c);
     entries_.push(entries);
   }
+  find_border({0, 3, 1, 4, 2, 5}, 2, [&](int triangle, int a) { return mesh.placed[mesh.triangles[triangle][a]]; });
+}
+
+/// `place`: of a facet's node at rest, m.
+void PressureLoad::find_border(const std::vector<int>& outline, int nodes_an_edge,
+                               const std::function<Eigen::Vector3d(int, int)>& place) {
+  const auto edge_of = [&](std::size_t first) {
+    std::vector<int> edge;
+    for (int k = 0; k <= nodes_an_edge; ++k) edge.push_back(outline[(first + k) % outline.size()]);
+    return edge;
+  };
+  std::map<std::pair<int, int>, int> facets_at;  // corners of an edge
+  const auto key = [&](int facet, const std::vector<int>& edge) {
+    const auto entries = entries_.of(facet);
+    return std::minmax({entries[3 * edge.front()], entries[3 * edge.back()]});
+  };
+  for (int f = 0; f < entries_.elements(); ++f)
+    for (std::size_t k = 0; k < outline.size(); k += nodes_an_edge) ++facets_at[key(f, edge_of(k))];
+  for (int f = 0; f < entries_.elements(); ++f)
+    for (std::size_t k = 0; k < outline.size(); k += nodes_an_edge) {
+      const std::vector<int> edge = edge_of(k);
+      if (facets_at.at(key(f, edge)) != 1) continue;
+      Border border{{}, {true, true, true}};
+      const Eigen::Vector3d start = place(f, edge.front());
+      const double level = 1e-9 * (place(f, edge.back()) - start).norm();
+      for (const int a : edge) {
+        border.nodes.push_back(entries_.of(f)[3 * a]);
+        for (int c = 0; c < 3; ++c) border.level[c] = border.level[c] && std::abs(place(f, a)[c] - start[c]) <= level;
+      }
+      border_.push_back(std::move(border));
+    }
+}
+
+void PressureLoad::hold_border(const Numbering& numbering) {
+  symmetric_ = std::all_of(border_.begin(), border_.end(), [&](const Border& border) {
+    int held = 0;
+    bool in_plane = false;
+    for (int c = 0; c < 3; ++c) {
+      const bool all = std::all_of(border.nodes.begin(), border.nodes.end(),
+                                   [&](int entry) { return numbering.unknown(entry + c) < 0; });
+      held += all, in_plane = in_plane || (all && border.level[c]);
+    }
+    return held >= 2 || in_plane;  // two held: du and dv are parallel
+  });
 }
 
 FacetNodes PressureLoad::positions(const State& state, int facet) const {
@@ -71,10 +123,10 @@ bool PressureLoad::assemble(const State& state, Tangent tangent, Sink& sink) con
           matrix.block<3, 3>(3 * a, 3 * b) += p * shape.N[a] * (shape.dN(b, 1) * t1 - shape.dN(b, 0) * t2);
       }
     }
-    const Matrix symmetric = 0.5 * (matrix + matrix.transpose());
+    if (symmetric_) matrix = (0.5 * (matrix + matrix.transpose())).eval();
     const auto length = static_cast<std::size_t>(size);
     sink.add(f, {residual.data(), length},
-             wanted(tangent) ? std::span<const double>(symmetric.data(), length * length) : std::span<const double>());
+             wanted(tangent) ? std::span<const double>(matrix.data(), length * length) : std::span<const double>());
   }
   return true;
 }

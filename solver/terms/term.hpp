@@ -60,6 +60,8 @@ class Term {
   /// Writes the history of an accepted state, the one that `update` saw last, into it.
   virtual void commit(State&) const {}
   virtual void measure(const State&, Measure&) const {}
+  /// False where the tangent is not symmetric: a force that derives from no energy.
+  virtual bool symmetric() const { return true; }
   /// A force from outside, which the balance of the supports counts.
   virtual bool is_load() const { return false; }
 };

@@ -133,7 +133,11 @@ struct Sheet {
     auto membrane = std::make_unique<solver::FabricMembrane>(layout, mesh, fabric);
     membrane->set_final_eta(eta);
     scene.add(std::move(membrane));
-    if (pressure != 0.0) scene.add(std::make_unique<solver::PressureLoad>(layout, mesh, -pressure));
+    if (pressure != 0.0) {
+      auto load = std::make_unique<solver::PressureLoad>(layout, mesh, -pressure);
+      load->hold_border(scene.numbering());
+      scene.add(std::move(load));
+    }
     scene.add(std::make_unique<solver::DeadLoad>(layout, solver::NodalForces(), forces));
     scene.set_proximal_weights(solver::proximal_weights(layout, mesh, fabric));
     return scene;

@@ -32,7 +32,9 @@ struct RubberDisc {
   solver::Scene scene(const materials::SkinMembrane& law, double pressure) const {
     solver::Scene scene(layout, solver::Numbering(master));
     scene.add(std::make_unique<solver::SkinMembraneTerm>(layout, body, law));
-    scene.add(std::make_unique<solver::PressureLoad>(layout, body, "disc", body.skin_facets, -pressure));
+    auto load = std::make_unique<solver::PressureLoad>(layout, body, "disc", body.skin_facets, -pressure);
+    load->hold_border(scene.numbering());
+    scene.add(std::move(load));
     const double stiffness = law.thickness * materials::initial_shear_modulus(law.law);
     scene.set_proximal_weights(Eigen::VectorXd::Constant(layout.size(), stiffness));
     return scene;

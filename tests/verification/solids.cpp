@@ -79,6 +79,37 @@ TEST(SeriesBar, AContrastOfAMillionKeepsTheStiffLayersStrain) {
     }
 }
 
+/// A bar of 1 x 1 x 4 that a pressure which follows it pulls along by its end face, whose border is free.
+BlockCase pulled_bar(CellKind kind, double poisson_ratio, double tension) {
+  Block block;
+  block.cells = {4, 1, 1}, block.kind = kind;
+  block.map = [](const Eigen::Vector3d& u) { return Eigen::Vector3d(4.0 * u.x(), u.y(), u.z()); };
+  BlockCase c(make_block(block), {neo_hooke(10.0, poisson_ratio)});
+  c.pressure("right", -tension);
+  return c;
+}
+
+// Stress s of an incompressible neo-Hookean bar follows from its stretch l by s = mu (l^2 - 1/l): at s = 2 mu l is the golden
+// ratio. The whole load in one increment, with the tangent of a follower pressure, takes at most eight iterations, however
+// large it is, and so it does where the other end is held and the bar necks there.
+TEST(FollowerPressure, PullsABarInEightIterationsAtEveryLoad) {
+  const auto iterations = [](const BlockAnswer& a) { return a.history.back().iteration; };
+  for (const CellKind kind : kinds)
+    for (const double ratio : {0.5, 1.0, 2.0}) {
+      BlockCase led = pulled_bar(kind, 0.499999, ratio * 1e4), held = pulled_bar(kind, 0.49, ratio * 1e4);
+      led.hold("left", 0.0, {}, {}), led.hold("bottom", {}, 0.0, {}), led.hold("back", {}, {}, 0.0);
+      held.hold("left", 0.0, 0.0, 0.0);
+      const BlockAnswer a = solve(led, 1.0), b = solve(held, 1.0);
+      EXPECT_EQ(a.path.increments, 1), EXPECT_EQ(b.path.increments, 1);
+      EXPECT_LE(iterations(a), 8) << to_string(kind) << " at " << ratio;
+      EXPECT_LE(iterations(b), 8) << to_string(kind) << " at " << ratio;
+      double l = 1.0;  // Newton's method on l^2 - 1/l
+      for (int i = 0; i < 50; ++i) l -= (l * l - 1.0 / l - ratio) / (2.0 * l + 1.0 / (l * l));
+      book("bar of " + to_string(kind) + " under a follower pressure", fmt::format("stretch at {:g} mu", ratio),
+           1.0 + a.displacement(led.mesh, {4.0, 0.0, 0.0}).x() / 4.0, l, 1e-5, "s = mu (l^2 - 1/l), incompressible");
+    }
+}
+
 /// 20 kPa on the bonded tube at nu = 0.3: 12.3 mm.
 BlockCase large_load() {
   BlockCase c = tube(0.020, 0.055, {16, 2, 1}, neo_hooke(10.0, 0.3), CellKind::hex27);

@@ -168,6 +168,34 @@ TEST_F(LinearSystem, RowsOfOtherUnitsDoNotHideBehindLargeOnes) {
   EXPECT_LE((A * y - right).tail(multipliers).norm(), 1e-7 * right.norm());
 }
 
+/// A skew part beside a symmetric matrix: `size` times the norm of its positions' block.
+Eigen::MatrixXd with_skew_part(double size) {
+  Eigen::MatrixXd A = quasi_definite(5);
+  const Eigen::VectorXd values = random_vector(positions * positions, 1.0, 31);
+  const Eigen::MatrixXd R = Eigen::Map<const Eigen::MatrixXd>(values.data(), positions, positions);
+  const Eigen::MatrixXd skew = R - R.transpose();
+  A.topLeftCorner(positions, positions) += size * A.topLeftCorner(positions, positions).norm() / skew.norm() * skew;
+  return A;
+}
+
+// An unsymmetric matrix is solved exactly with the factor of its symmetric part, and its pivots say nothing of an energy;
+// where the skew part outweighs the symmetric one, the whole is factored.
+TEST_F(LinearSystem, AnUnsymmetricMatrixIsSolvedWhateverItsSkewPart) {
+  for (const double size : {0.02, 100.0}) {
+    const Eigen::MatrixXd A = with_skew_part(size);
+    solver.reset(element(A.transpose()), n, false);  // the element is stored by rows
+    const auto report = solver.solve(element(A.transpose()), right, x);
+    EXPECT_TRUE(report.ok);
+    EXPECT_EQ(report.negative_pivots, -1);
+    EXPECT_LE(error(A), 1e-9);
+    EXPECT_GT(report.iterations, 2);
+    const auto again = solver.solve(element(1.001 * A.transpose()), right, x, lag);
+    EXPECT_FALSE(again.refactored);
+    EXPECT_LE(again.iterations, report.iterations);
+    if (size > 1.0) EXPECT_LE(again.iterations, 4);  // LU stays in use
+  }
+}
+
 TEST(Numbering, EachRankOwnsAContiguousRangeAndSewnEntriesFollowTheirMaster) {
   const Numbering numbering({0, -1, 5, 0, 4, 5, 4}, {1, 0, 0, 0, 0, 1, 1}, 3);
   const std::vector<int> expected = {1, -1, 2, 1, 0, 2, 0};
