@@ -8,6 +8,7 @@
 #include "solver/scene/constraints.hpp"
 #include "solver/scene/friction_choice.hpp"
 #include "solver/scene/run.hpp"
+#include "solver/scene/scene.hpp"
 
 namespace snug::solver {
 
@@ -116,6 +117,15 @@ void list_loads(const input::Case& description, const Meshes& meshes, Plan& plan
   for (const auto& support : description.support) plan.parts_in.push_back(fmt::format("support: {}", support.on));
 }
 
+// Building the scene finds loads that nothing bears.
+void list_free_motions(const input::Case& description, const Meshes& meshes, Plan& plan) {
+  const Supports supports(description, meshes.body, make_layout(meshes.body, meshes.garment, true, false));
+  if (supports.free_parts().empty()) return;
+  make_scene(description, meshes.body, meshes.garment, Skin::deformable);
+  for (const FreePart& part : supports.free_parts())
+    plan.parts_in.push_back(fmt::format("support: {} is free {}: held without force, statically determinate", part.name, motions_text(part)));
+}
+
 // Time and memory by unknowns, from runs of the shipped cases on two cores (2026-11): a rough guide, not a promise.
 void estimate(Plan& plan) {
   double rigid = 0.0, body = 0.0;
@@ -132,6 +142,7 @@ Plan plan(const input::Case& description, const Meshes& meshes) {
   list_body(description, meshes, plan);
   list_garment(description, meshes, plan);
   if (plan.tier == "L4") list_loads(description, meshes, plan);
+  if (plan.tier == "L4") list_free_motions(description, meshes, plan);
   if (!description.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
   if (plan.tier != "L0") count_unknowns(description, meshes, plan.tier == "L4", plan);
   estimate(plan);

@@ -150,6 +150,17 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentM
   }
 }
 
+// What keeps free parts in place bears nothing where their loads balance on the deformed body, too.
+void fill_free_motions(const Scene& scene, const State& state, std::map<std::string, double>& numbers) {
+  if (scene.supports().free_parts().empty()) return;
+  const Eigen::VectorXd residual = scene.full_residual(state);
+  double borne = 0.0;
+  for (const int entry : scene.supports().free_entries()) borne += std::abs(residual[entry]);
+  const Measure measure = scene.measure(state);
+  const double force = std::max(measure.contact_force, measure.smallest_force);
+  numbers["free_motions_share_of_load"] = force > 0.0 ? borne / force : 0.0;
+}
+
 // The springs under a shell are a support, too.
 void fill_foundation(const Shell& shell, const State& state, const Layout& layout, postproc::Balance& balance) {
   const std::vector<Eigen::Vector3d> forces = shell.foundation_forces(state);
@@ -226,6 +237,7 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
   }
   fill_reactions(scene, state, garment, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, layout, result.balance);
+  fill_free_motions(scene, state, result.numbers);
   result.max_penetration = scene.measure(state).penetration;
   fill_numbers(scene, body, result);
 }

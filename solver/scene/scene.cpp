@@ -285,6 +285,16 @@ void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene&
   add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
 }
 
+// What is left free must be in balance before anything moves.
+void check_balance(const Scene& scene, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, const input::Location& where) {
+  State state = placed_state(scene.layout(), body, garment);
+  state.load = 1.0;
+  const Eigen::VectorXd load = scene.load_forces(state);
+  std::vector<Eigen::Vector3d> forces;
+  for (int node = 0; node < scene.layout().body_nodes; ++node) forces.push_back(load.segment<3>(scene.layout().body(node)));
+  check_balance(scene.supports(), body, forces, where);
+}
+
 }  // namespace
 
 Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin,
@@ -295,6 +305,7 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
   Numbering numbering = make_numbering(description, body, garment, layout, supports);
   Scene scene(layout, std::move(numbering), std::move(supports));
   if (deformable) add_body(description, body, scene);
+  if (!scene.supports().free_parts().empty()) check_balance(scene, body, garment, description.body->where);
   if (!description.garment) return scene;
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
   scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric, prestretch));

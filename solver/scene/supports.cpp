@@ -17,6 +17,13 @@ const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string
                           fmt::format("its surfaces are {}", fmt::join(names, ", ")));
 }
 
+// A garment whose edges stand in space holds the body in it by contact alone.
+bool held_by_garment(const input::Case& description) {
+  return description.garment && description.contact &&
+         std::any_of(description.garment->held.begin(), description.garment->held.end(),
+                     [](const auto& edge) { return edge.held == "all"; });
+}
+
 Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, const Layout& layout) : layout_(layout) {
   if (layout.body_nodes == 0 || !description.body) return;
   reference_ = body.nodes;
@@ -32,6 +39,20 @@ Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, c
       fix(std::string(name) + " cut", cut->nodes, ends == "fixed" ? 0 : 2);
   hold(body.held);
   for (const auto& spec : description.support) hold(body, spec);
+  if (!held_by_garment(description)) hold_free_motions(body);
+}
+
+void Supports::hold_free_motions(const mesh::BodyMesh& body) {
+  std::set<NodeComponent> held;
+  for (const int entry : prescribed_) held.emplace(entry / 3, entry % 3);  // the body's nodes come first in the state
+  free_ = solver::free_parts(body, held);
+  for (const FreePart& part : free_) {
+    held_.emplace_back("free motions of " + part.name, std::vector<Held>());
+    for (const auto& [node, component] : determinate_supports(part, body)) {
+      prescribe(node, component);
+      free_entries_.push_back(layout_.body(node, component));
+    }
+  }
 }
 
 void Supports::prescribe(int node, int component) {
@@ -63,6 +84,23 @@ void Supports::hold(const mesh::BodyMesh& body, const input::SupportSpec& spec) 
   for (const int node : surface.nodes)
     moving.middle += body.nodes[node].head<2>() / static_cast<double>(surface.nodes.size());
   moving_.push_back(std::move(moving));
+}
+
+void check_balance(const Supports& supports, const mesh::BodyMesh& body, const std::vector<Eigen::Vector3d>& forces,
+                   const input::Location& where) {
+  for (const FreePart& part : supports.free_parts()) {
+    const NetLoad net = net_load(part, body, forces);
+    if (net.balanced) continue;
+    std::vector<std::string> loads;
+    const auto note = [&](const Eigen::Vector3d& v, double floor, const char* text) {
+      if (v.norm() > floor) loads.push_back(fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", v.x(), v.y(), v.z(), text));
+    };
+    const double size = std::max(net.force.norm(), net.moment.norm() / part.size);
+    note(net.force, 1e-6 * size, "N"), note(net.moment, 1e-6 * size * part.size, "N m about its middle");
+    throw input::InputError(where, fmt::format("{} is free {}, and its loads do not balance: {} is left", part.name, motions_text(part),
+                                               fmt::join(loads, " and ")),
+                            "hold it with a [[support]] (of a limb: ends = \"sliding\" or \"fixed\", or a rigid bone), or add the load that balances");
+  }
 }
 
 std::vector<int> Supports::entries() const {

@@ -51,6 +51,7 @@ class Run {
       one_path(Skin::deformable, "body");
     else
       one_path(Skin::rigid, "garment");
+    refuse_borne_motions();
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     result_.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
@@ -267,6 +268,14 @@ class Run {
     if (!slides_freely(case_) || has_friction(case_)) return;
     const Push net = push(result_, meshes_.garment);
     if (net.force != 0.0) fail(no_equilibrium(net, case_, meshes_.garment));
+  }
+
+  /// Parts that nothing holds balance by themselves, or not at all.
+  void refuse_borne_motions() {
+    const auto borne = result_.numbers.find("free_motions_share_of_load");
+    if (borne == result_.numbers.end() || borne->second <= 1e-6 || result_.status != "converged") return;
+    fail(fmt::format("nothing holds a part of the body, and on the deformed body its loads do not balance: {:.2g} of them is left; "
+                     "hold it with a [[support]]", borne->second));
   }
 
   void fail(const std::string& why) { result_.status = "failed", result_.message = why; }

@@ -48,7 +48,38 @@ double edge_penalty(double share, double stiffness, double length, double area) 
   return safety * 3.0 * share * share * stiffness * length / area;
 }
 
+/// By node: the axes about which it may not turn.
+std::map<int, std::set<int>> held_axes(const mesh::BodyMesh& mesh) {
+  std::map<int, std::set<int>> held;
+  for (const mesh::HeldRotation& rotation : mesh.held_rotations) held[rotation.node].insert(rotation.component);
+  return held;
+}
+
+/// The edge between two corners may not turn about itself.
+bool keeps_angle(const mesh::BodyMesh& mesh, const std::map<int, std::set<int>>& held, const std::pair<int, int>& ends) {
+  const Eigen::Vector3d along = (mesh.nodes[ends.second] - mesh.nodes[ends.first]).normalized();
+  for (const int node : {ends.first, ends.second}) {
+    const auto axes = held.find(node);
+    if (axes == held.end()) return false;
+    Eigen::Vector3d free = along;
+    for (const int axis : axes->second) free[axis] = 0.0;
+    if (free.norm() > 1e-3) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+std::vector<std::pair<int, int>> clamped_edges(const mesh::BodyMesh& mesh) {
+  if (mesh.held_rotations.empty()) return {};
+  const std::map<int, std::set<int>> held = held_axes(mesh);
+  std::set<std::pair<int, int>> clamped;
+  for (const mesh::ShellTriangle& triangle : mesh.shell)
+    for (const auto& edge : edge_nodes)
+      if (const auto ends = std::minmax({triangle.nodes[edge[0]], triangle.nodes[edge[1]]}); keeps_angle(mesh, held, ends))
+        clamped.insert(ends);
+  return {clamped.begin(), clamped.end()};
+}
 
 Shell::Shell(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<ShellElasticity> elasticity,
              input::Location where)
@@ -94,26 +125,14 @@ void Shell::add_edges(const mesh::BodyMesh& mesh) {
       const int a = triangles_[t].nodes[edge_nodes[e][0]], b = triangles_[t].nodes[edge_nodes[e][1]];
       sides[std::minmax(a, b)].push_back({t, e});
     }
-  std::map<int, std::set<int>> held;  // node -> axes about which it may not turn
-  for (const mesh::HeldRotation& rotation : mesh.held_rotations) held[rotation.node].insert(rotation.component);
+  const std::map<int, std::set<int>> held = held_axes(mesh);
   std::set<int> used;
-  const auto clamped = [&](const std::pair<int, int>& ends) {
-    const Eigen::Vector3d along = (reference_[ends.second] - reference_[ends.first]).normalized();
-    for (const int node : {ends.first, ends.second}) {
-      const auto axes = held.find(node);
-      if (axes == held.end()) return false;
-      Eigen::Vector3d free = along;
-      for (const int axis : axes->second) free[axis] = 0.0;
-      if (free.norm() > 1e-3) return false;
-    }
-    return true;
-  };
   for (const auto& [ends, around] : sides) {
     if (around.size() > 2)
       throw input::InputError(where_, fmt::format("{} shell triangles share the edge between nodes {} and {}", around.size(),
                                                       ends.first + 1, ends.second + 1),
                               "a shell is one surface: take the branch away");
-    if (clamped(ends)) {
+    if (keeps_angle(mesh, held, ends)) {
       const auto [t, e] = around.front();
       for (const int a : edge_nodes[e]) used.insert(triangles_[t].nodes[a]);
       for (const auto& side : around) add_edge({side});

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "cases/input/diagnostics.hpp"
@@ -20,6 +21,9 @@ struct ShellElasticity {
   double youngs_modulus = 0.0;  ///< Pa
   double poisson_ratio = 0.0;
 };
+
+/// Edges of a shell that keep their angle because rotations are held at both ends, by their corner nodes, lower number first.
+std::vector<std::pair<int, int>> clamped_edges(const mesh::BodyMesh& mesh);
 
 /// Energy of the triangles (membrane, bending, foundation k/2 int (u . N)^2 dA with the reference normal N) and of the
 /// edges between them. Source: see shell_kernel.hpp. Edges on which the rotation is held keep their angle to the
