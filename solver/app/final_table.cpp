@@ -87,7 +87,7 @@ std::string linear_text(const postproc::RunResult& run) {
 
 std::string donning_text(const postproc::RunResult& run) {
   if (run.donning.empty()) return {};
-  std::string text = "  spread over the assumed donning path, on the rigid skin (mean and largest pressure):\n";
+  std::string text = "  spread over the assumed way of putting on, on the rigid skin (mean and largest pressure):\n";
   for (const postproc::DonningRow& row : run.donning)
     text += fmt::format("    {:<46} {:>8.0f} Pa {:>8.0f} Pa{}\n", row.name, row.mean_pressure, row.max_pressure,
                         row.converged ? "" : "  not converged");

@@ -53,7 +53,7 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
   int failures = 0;
   while (result.reached < 1.0) {
     const double t = std::min(1.0, result.reached + step);
-    const bool last = t > 1.0 - 1e-12;
+    const bool last = t > 1.0 - 1e-12 && !path.leads_on;
     State trial = failures == 0 ? predict(result, before, span, t - result.reached, scene.layout()) : result.state;
     homotopy(trial, t);
     const int increment = result.increments + 1;

@@ -8,6 +8,7 @@ namespace snug::solver {
 struct PathSettings {
   double first_step = 1.0;      ///< the whole path; what fails is halved
   double intermediate_residual = 1e-3;
+  bool leads_on = false;        ///< another stage goes on from the end, which then need not be better than any other state
   int failures = 8;             ///< halvings in a row before giving up
   int lost_iterations = 100;    ///< of increments that failed, before giving up
   double smallest_step = 2e-3;  ///< shorter steps than this are no progress

@@ -87,6 +87,13 @@ class Run {
     return path;
   }
 
+  /// Of a stage from whose end another one goes on.
+  PathSettings on_the_way(Skin skin) const {
+    PathSettings path = settings(skin);
+    path.leads_on = true;
+    return path;
+  }
+
   /// Hands a state of the load path to who wants to see it.
   void keep(const Scene& scene, const State& state, double way) const {
     if (kept_.steps == 0) return;
@@ -141,7 +148,7 @@ class Run {
     State placed = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
     placed.release = 0.0;
     keep(rigid, placed, 0.0);
-    PathResult path = follow_path(rigid, placed, tightening(), settings(Skin::rigid), log_.sink("placed on the rigid skin"));
+    PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("placed on the rigid skin"));
     const bool tight = accept(rigid, path, "the garment as placed on the rigid skin");
     if (tight && case_.contact->spread) add_spread(rigid, path.state);
     if (tight && result_.tier == "L4") {
@@ -166,7 +173,7 @@ class Run {
     const Push net = push(rigid, on_rigid);
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
-    PathResult path = release(scene, start, give);
+    PathResult path = release(scene, start, give, on_the_way(Skin::deformable));
     const int released = path.increments;
     if (accept(scene, path, "releasing the body")) {
       path = follow_path(scene, path.state, letting_go(), settings(Skin::deformable), log_.sink("let go"));
@@ -206,18 +213,21 @@ class Run {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
     log_.phase("set-up");
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
-    const PathResult released = release(scene, transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body), give);
+    const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    const PathResult released = release(scene, start, give, settings(Skin::deformable));
     accept(scene, released, "body");
     finish_on_body(scene, released, rigid, on_rigid);
   }
 
   /// `give`: softest shear modulus over the pressure.
-  PathResult release(Scene& scene, const State& start, double give) {
-    PathResult released{.state = start};
-    if (give > 1.0 && kept_.steps == 0) released = release_at_once(scene, start);
-    if (released.complete) return released;
-    return follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), settings(Skin::deformable),
-                       log_.sink("body, step by step"));
+  PathResult release(Scene& scene, const State& start, double give, PathSettings path) {
+    if (give > 1.0 && kept_.steps == 0) {
+      PathSettings at_once = path;
+      at_once.failures = 0;
+      const PathResult released = follow_path(scene, start, releasing(1.0), at_once, log_.sink("body"));
+      if (released.complete) return released;
+    }
+    return follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), path, log_.sink("body, step by step"));
   }
 
   void finish_on_body(const Scene& scene, const PathResult& path, const Scene& rigid, const State& on_rigid) {
@@ -229,21 +239,6 @@ class Run {
     }
     if (path.complete) name_sliding();
     log_.phase("results");
-  }
-
-  PathResult release_at_once(Scene& scene, const State& start) {
-    PathResult released{.state = start, .reached = 1.0, .increments = 1};
-    const IterationSink rows = log_.sink("body");
-    const auto in_one_step = [&](postproc::Iteration row) {
-      row.increment = 1;
-      rows(row);
-    };
-    NewtonSettings newton_settings = settings(Skin::deformable).newton;
-    newton_settings.recut = true;
-    scene.begin(released.state);
-    released.complete = newton(scene, released.state, newton_settings, in_one_step) == Outcome::converged;
-    if (released.complete) scene.commit(released.state);
-    return released;
   }
 
   postproc::RunResult result_on_rigid(const Scene& scene, const State& state) const {

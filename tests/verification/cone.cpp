@@ -77,6 +77,7 @@ input::Case describe(const std::string& fabric) {
   c.garment->fabric.table = fabric;
   c.garment->held = {{.edge = "upper", .held = "all"}};
   c.contact.emplace();
+  c.contact->friction = 0.0;
   return c;
 }
 

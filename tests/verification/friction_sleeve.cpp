@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/scene/result.hpp"
-#include "solver/stepping/donning.hpp"
+#include "solver/scene/friction_choice.hpp"
 #include "solver/stepping/load_path.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/tube.hpp"

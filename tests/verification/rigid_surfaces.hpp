@@ -103,6 +103,7 @@ inline input::Case describe(const RigidCase& rigid) {
   const std::string held = sphere ? "all" : "axis";
   c.garment->held = {{.edge = "upper", .held = held}, {.edge = "lower", .held = held}};
   c.contact.emplace();
+  c.contact->friction = 0.0;
   c.contact->basis = rigid.basis;
   return c;
 }

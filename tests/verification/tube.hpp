@@ -56,6 +56,7 @@ inline input::Case describe_tube(const TubeCase& tube) {
   c.garment->cell_size = tube.cell_size;
   c.garment->held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
   c.contact.emplace();
+  c.contact->friction = 0.0;
   c.contact->basis = tube.basis;
   c.solver.tier = tube.tier;
   return c;

@@ -61,6 +61,19 @@ TEST(GarmentMesh, TrianglesAreIrregularAndOfTheSizeAskedFor) {
   EXPECT_GT(heights.size(), 20u);  // a regular grid would have 5 rows of vertices
 }
 
+/// A garment of half the limb's girth has as many cells round it as the limb asks for; a size that the case gives is that of
+/// the cut.
+TEST(GarmentMesh, CellsAreAsFineAsAskedForOnTheWornGarment) {
+  const Limb limb = cylinder();
+  const double girth = limb.girth(0.1);
+  input::GarmentSpec spec = tube_spec();
+  spec.pattern.flat_circumference = 0.5 * girth;
+  const auto cells_round = [&] { return static_cast<double>(make_garment_mesh(spec, limb, cell).edges.at("lower").size()) / 2.0; };
+  EXPECT_NEAR(cells_round(), girth / cell, 1.0);
+  spec.cell_size = cell;
+  EXPECT_NEAR(cells_round(), 0.5 * girth / cell, 1.0);
+}
+
 TEST(GarmentMesh, NodesStandTheLiftOffTheSkinAtEqualArcLengths) {
   const Limb limb = ellipse();
   const GarmentMesh mesh = sleeve(limb);

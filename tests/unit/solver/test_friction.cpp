@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "solver/scene/friction_choice.hpp"
 #include "tests/unit/solver/terms.hpp"
 
 namespace snug::tests {
@@ -175,6 +176,37 @@ TEST(Friction, RenewedQuadratureKeepsTheTractions) {
 }
 
 /// A scene without friction has neither the term nor a history.
+/// Nothing is released at 0, everything at 1; between them the bound is mu p / release.
+TEST(Friction, SticksWithoutABoundUntilItIsReleased) {
+  Rubbed r(Skin::rigid, 5e-3);
+  const auto largest = [&](double release) {
+    r.state.release = release;
+    r.friction().renew(r.state);
+    r.update();
+    double most = 0.0;
+    for (const auto& vertex : r.friction().vertex_tractions(r.state)) most = std::max(most, vertex.traction.norm());
+    return most;
+  };
+  const double whole = largest(1.0), half = largest(0.5), sticking = largest(0.0);
+  EXPECT_GT(whole, 0.0);
+  EXPECT_NEAR(half, 2.0 * whole, 1e-9 * whole);  // 5 mm are far beyond the elastic slip: all vertices are at their bound
+  EXPECT_GT(sticking, 3.0 * whole);
+  for (const auto& vertex : r.friction().vertex_tractions(r.state)) EXPECT_NE(vertex.slip, solver::Friction::Slip::slip);
+}
+
+/// What the case says comes first, then the fabric, then the literature.
+TEST(Friction, IsThatOfTheCaseElseOfTheFabricElseTheUsualOne) {
+  input::Case c = Rubbed::describe(0.17);
+  EXPECT_EQ(solver::friction_choice(c).coefficient, 0.17);
+  c.contact->friction.reset();
+  EXPECT_EQ(solver::friction_choice(c).coefficient, 0.3);
+  c.garment->fabric.table += "\nMIU = 0.22";
+  EXPECT_EQ(solver::friction_choice(c).coefficient, 0.22);
+  EXPECT_FALSE(solver::has_friction(solver::without_friction(c)));
+  c.contact.reset();
+  EXPECT_FALSE(solver::has_friction(c));
+}
+
 TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   const input::Case c = Rubbed::describe(0.0);
   const solver::Meshes meshes = make_meshes(c);
