@@ -71,7 +71,7 @@ struct GarmentSpec {
           self.position);
     field(Field{.key = "cell_size",
                 .unit = "m",
-                .meaning = "edge length of the triangles on the pattern; 0 m: half the mean cell size of the skin as worn, finer "
+                .meaning = "edge length of the triangles on the pattern; 0 m: 0.6 of the mean cell size of the skin as worn, finer "
                            "where the tissue is soft for the pressure",
                 .bound = non_negative()},
           self.cell_size);

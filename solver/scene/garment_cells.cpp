@@ -34,7 +34,7 @@ double softest_shear_modulus(const mesh::BodyMesh& body) {
 }
 
 double worn_cell_size(const input::Case& description, const mesh::Limb& limb, const mesh::BodyMesh& body) {
-  const double usual = 0.5 * body.mean_skin_cell;
+  const double usual = 0.6 * body.mean_skin_cell;
   if (description.solver.tier != "L4" || !description.contact) return usual;
   const auto fabric = materials::find_fabric(description.garment->fabric);
   const LaplacePressure expected = laplace_pressure(*description.garment, fabric, limb, body);

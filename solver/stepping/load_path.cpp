@@ -14,7 +14,7 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
     settings.residual = path.intermediate_residual;
     settings.complementarity = 1e-2;
     settings.penetration = 1e-5;
-    settings.volume = 1e-5;
+    settings.volume = 1e-3;
   }
   for (int f = 0; f < failures; ++f) settings.proximal *= 10.0;
   return settings;
