@@ -4,18 +4,12 @@
 
 namespace snug::solver {
 
-namespace {
-
-constexpr double usual = 0.3;
-
-}  // namespace
-
 FrictionChoice friction_choice(const input::Case& description) {
   if (!description.garment || !description.contact) return {0.0, "no garment in contact"};
   if (description.contact->friction) return {*description.contact->friction, "the case"};
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
   if (fabric.friction) return {*fabric.friction, "MIU of " + fabric.name};
-  return {usual, "not in the case: textiles on dry skin have 0.2 to 0.6"};
+  return {usual_friction, "not in the case: textiles on dry skin have 0.2 to 0.6"};
 }
 
 bool has_friction(const input::Case& description) { return friction_choice(description).coefficient > 0.0; }

@@ -13,6 +13,9 @@ struct FrictionChoice {
   std::string source;
 };
 
+/// Of textiles on dry skin, where nobody says.
+constexpr double usual_friction = 0.3;
+
 /// What the case says; where it is silent the fabric's own coefficient, else 0.3: textiles on dry skin have 0.2 to 0.6
 /// (Derler & Gerhardt, Tribology Letters 45 (2012) 1-27). Zero without a garment in contact.
 FrictionChoice friction_choice(const input::Case& description);

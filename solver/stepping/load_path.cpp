@@ -9,7 +9,7 @@ namespace {
 
 NewtonSettings increment_settings(const PathSettings& path, bool last, int failures) {
   NewtonSettings settings = path.newton;
-  settings.recut = last;
+  settings.recut = settings.minimum = last;
   if (!last) {
     settings.residual = path.intermediate_residual;
     settings.complementarity = 1e-2;
@@ -41,6 +41,10 @@ Homotopy releasing(double factor) {
 
 Homotopy letting_go() {
   return [](State& state, double t) { state.release = t; };
+}
+
+Homotopy fading() {
+  return [](State& state, double t) { state.release = std::pow(100.0, t); };
 }
 
 PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& path,

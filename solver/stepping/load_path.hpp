@@ -26,6 +26,8 @@ Homotopy releasing(double factor);
 
 /// The garment that stuck where it was placed is let go: friction's bound comes down to mu p.
 Homotopy letting_go();
+/// The coefficient of friction falls a hundredfold.
+Homotopy fading();
 
 struct PathResult {
   State state = {};             ///< the last converged one

@@ -14,6 +14,7 @@ std::string to_string(Outcome outcome) {
     case Outcome::no_progress: return "the iteration makes no progress";
     case Outcome::too_many_iterations: return "too many iterations";
     case Outcome::linear_solver_failed: return "the linear solver failed";
+    case Outcome::saddle: return "the equilibrium found is no minimum of the energy: it would buckle, or skin and garment swing between each other's nodes";
     case Outcome::inadmissible: return "an inverted cell could not be avoided";
   }
   return "";
@@ -81,16 +82,34 @@ Lag forcing(const NewtonSettings& settings, double residual, double reduction, b
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
-// than pressures and multipliers), its convex part takes over.
+// than pressures and multipliers), its convex part takes over; `full` tells which it was.
 LinearReport descent(Scene& scene, const State& state, const NewtonSettings& settings, double residual, const Lag& lag,
-                     double proximal, Eigen::VectorXd& step) {
+                     double proximal, Eigen::VectorXd& step, bool& full) {
   const Tangent tangent = residual > settings.convex_above ? Tangent::convex : Tangent::full;
+  full = tangent == Tangent::full;
   if (tangent == Tangent::convex) scene.assemble(state, tangent);
   LinearReport report = scene.solve(state, tangent, proximal, lag, step);
   const bool indefinite = report.ok && report.negative_pivots > scene.saddle_rows();
-  if (!indefinite || residual > settings.convex_above) return report;
+  if (!indefinite || !full) return report;
+  full = false;
   scene.assemble(state, Tangent::convex);
   return scene.solve(state, Tangent::convex, proximal, {}, step);
+}
+
+// What is known of the inertia of the full tangent near the answer. A minimum on its constraints has as many negative pivots
+// as pressures and multipliers (Gould, Math. Programming 32 (1985)); more of them, and the energy falls along some motion.
+enum class Stationary { unknown, minimum, saddle };
+
+Stationary kind(const LinearReport& report, const Scene& scene) {
+  return report.negative_pivots > scene.saddle_rows() ? Stationary::saddle : Stationary::minimum;
+}
+
+// The last factor near the answer tells; where there is none, one more is made.
+Stationary kind_at_end(Scene& scene, const State& state, Stationary known) {
+  if (known == Stationary::minimum) return known;
+  Eigen::VectorXd none;
+  const LinearReport report = scene.solve(state, Tangent::full, 1e-12, {}, none);
+  return report.ok ? kind(report, scene) : Stationary::unknown;
 }
 
 // Globalisation: a step after which the residual is this many times larger, and larger than all contact forces (a vertex
@@ -151,6 +170,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   Patience patience;
   State last = state;
   double before = std::numeric_limits<double>::max(), condensed_before = before, boost = 1.0;
+  Stationary known = Stationary::unknown;
   bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
   const bool bends = scene.find<Tissue>() || scene.find<Shell>();
   const bool downhill = !bends && scene.saddle_rows() == 0;
@@ -168,7 +188,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     row.residual = now.residual, row.complementarity = now.complementarity;
     row.contact_nodes = now.measure.active, row.changed = now.measure.changed;
     sink(row);
-    if (now.done) return Outcome::converged;
+    if (now.done)
+      return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
     if (patience.lost(now.residual, downhill && row.step >= long_stride)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
     const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
@@ -188,8 +209,10 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     Eigen::VectorXd step;
     const double proximal = settings.proximal * boost * std::min(1.0, before) + 1e-12;
     const Lag lag = forcing(settings, now.condensed, reduction, settled, now.measure.changed);
-    const LinearReport report = descent(scene, state, settings, before, lag, proximal, step);
+    bool full = false;
+    const LinearReport report = descent(scene, state, settings, before, lag, proximal, step, full);
     if (!report.ok) return Outcome::linear_solver_failed;
+    if (report.refactored) known = condensed_before < near && full ? kind(report, scene) : Stationary::unknown;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);
     const bool moved = downhill && in_place ? descend(scene, state, step, now.round_off, row.step) : move(scene, state, step, row.step);

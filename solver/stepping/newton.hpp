@@ -20,10 +20,11 @@ struct NewtonSettings {
   double convex_above = 0.02;     ///< relative residual above which only the convex part of the tangent is used
   bool recut = false;             ///< renews the quadrature of contact near the solution, so that it is that of the answer
                                   ///< and not of the state that the increment started from
+  bool minimum = false;           ///< what is found must be a minimum on its constraints, by the inertia of the tangent
   bool may_lag = false;           ///< solve with the last factor near the solution: pays where a body is factored
 };
 
-enum class Outcome { converged, no_progress, too_many_iterations, linear_solver_failed, inadmissible };
+enum class Outcome { converged, no_progress, too_many_iterations, linear_solver_failed, saddle, inadmissible };
 std::string to_string(Outcome outcome);
 
 using IterationSink = std::function<void(const postproc::Iteration&)>;

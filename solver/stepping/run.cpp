@@ -29,7 +29,7 @@ constexpr std::array<double, 2> spread = {0.5, 0.0};
 class Run {
  public:
   Run(const input::Case& description, const Meshes& meshes, const Observer& observer, const KeptStates& kept)
-      : case_(description), meshes_(meshes), kept_(kept), log_(result_, observer) {
+      : case_(description), worn_(description), meshes_(meshes), kept_(kept), log_(result_, observer) {
     const Plan parts = plan(description, meshes);
     result_.title = description.title;
     result_.tier = parts.tier;
@@ -133,33 +133,37 @@ class Run {
     const auto path = follow_path(rigid, state, tightening(), settings(Skin::rigid), log_.sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
     rigid.drop_matrix();  // the body needs the memory
+    if (!complete && !slides_freely(case_)) return limit_of_small_friction();
     if (complete && result_.tier == "L4" && !stray(rigid, path.state)) return release_body(rigid, path.state);
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
     if (complete) name_sliding();
     log_.phase("results");
   }
 
+  /// Without friction the states on the way may not exist where the last one does: on a bulging limb a half-tightened sleeve
+  /// slides off. Then the answer is looked for as the limit of friction that vanishes.
+  void limit_of_small_friction() {
+    worn_.contact->friction = usual_friction;
+    placed_and_let_go();
+  }
+
   /// Placed and let go. While its rest metric goes to that of the pattern the garment sticks to the skin where it was
   /// placed: nothing slides, gathers or goes slack on a way that is fictitious anyway. Then friction's bound comes down to
   /// mu p, on the body where there is one: what cannot hold slips.
   void placed_and_let_go() {
-    Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
+    Scene rigid = make_scene(worn_, meshes_.body, meshes_.garment, Skin::rigid);
     log_.phase("set-up");
     State placed = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
     placed.release = 0.0;
     keep(rigid, placed, 0.0);
-    PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("placed on the rigid skin"));
+    const PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("placed on the rigid skin"));
     const bool tight = accept(rigid, path, "the garment as placed on the rigid skin");
-    if (tight && case_.contact->spread) add_spread(rigid, path.state);
+    if (tight && worn_.contact->spread) add_spread(rigid, path.state);
     if (tight && result_.tier == "L4") {
       rigid.drop_matrix();  // the body needs the memory
       return let_go_on_body(rigid, path.state);
     }
-    const Push net = push(rigid, path.state);
-    if (tight) {
-      path = follow_path(rigid, path.state, letting_go(), settings(Skin::rigid), log_.sink("let go on the rigid skin"));
-      if (!accept(rigid, path, "letting go on the rigid skin")) name_slipping(net);
-    }
+    if (tight) return let_go(rigid, path.state, Skin::rigid, push(rigid, path.state));
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
     log_.phase("results");
   }
@@ -168,26 +172,52 @@ class Run {
   /// some iterations where it works and swings to and fro where it does not (a calf), and the answers of the two ways differ
   /// by a thousandth: one way for all.
   void let_go_on_body(const Scene& rigid, const State& on_rigid) {
-    Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
+    Scene scene = make_scene(worn_, meshes_.body, meshes_.garment, Skin::deformable);
     log_.phase("set-up");
-    const Push net = push(rigid, on_rigid);
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
-    PathResult path = release(scene, start, give, on_the_way(Skin::deformable));
-    const int released = path.increments;
-    if (accept(scene, path, "releasing the body")) {
-      path = follow_path(scene, path.state, letting_go(), settings(Skin::deformable), log_.sink("let go"));
-      if (!accept(scene, path, "letting go")) name_slipping(net);
-    }
-    path.increments += released;
+    const PathResult path = release(scene, start, give, on_the_way(Skin::deformable));
+    if (accept(scene, path, "releasing the body")) return let_go(scene, path.state, Skin::deformable, push(rigid, on_rigid));
     finish_on_body(scene, path, rigid, on_rigid);
+  }
+
+  /// From a garment that sticks to the answer; `net`: what pushed it.
+  void let_go(Scene& scene, const State& sticking, Skin skin, const Push& net) {
+    const bool vanishing = !has_friction(case_);
+    const PathResult path =
+        follow_path(scene, sticking, letting_go(), vanishing ? on_the_way(skin) : settings(skin), log_.sink("let go"));
+    const bool holds = accept(scene, path, "letting go");
+    if (holds && vanishing) return without_any(scene, path.state, skin);
+    if (!holds) name_slipping(net);
+    fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
+    log_.phase("results");
+  }
+
+  /// Friction vanishes: its coefficient falls a hundredfold, then it is left out.
+  void without_any(Scene& scene, const State& rough, Skin skin) {
+    const PathResult faint = follow_path(scene, rough, fading(), on_the_way(skin), log_.sink("friction fades"));
+    Scene smooth = make_scene(case_, meshes_.body, meshes_.garment, skin);
+    PathResult path{.state = faint.state};
+    path.state.reference.resize(0), path.state.traction.resize(0), path.state.release = 1.0;
+    if (accept(scene, faint, "fading friction"))
+      path = follow_path(smooth, path.state, tightening(1.0, 1.0), settings(skin), log_.sink("without friction"));
+    if (path.complete && accept(smooth, path, "without friction")) {
+      fill_result(smooth, path.state, meshes_.body, meshes_.garment, result_);
+    } else {
+      result_.status = "partial";
+      result_.message = fmt::format("without friction no equilibrium was found near the placed garment; what is reported is held by a "
+                                    "coefficient of {:.2g}; give contact.friction, or hold the other edge, too",
+                                    usual_friction / faint.state.release);
+      fill_result(scene, faint.state, meshes_.body, meshes_.garment, result_);
+    }
+    log_.phase("results");
   }
 
   /// Other ways of putting the garment on, on the rigid skin: friction from the start of the tightening and over its last
   /// half; until then the garment sticks.
   void add_spread(const Scene& placed, const State& tight) {
     const std::string name = "spread over ways of putting on";
-    Scene rigid = make_scene(case_, meshes_.body, meshes_.garment, Skin::rigid);
+    Scene rigid = make_scene(worn_, meshes_.body, meshes_.garment, Skin::rigid);
     PathSettings aside = settings(Skin::rigid);
     aside.accepted = nullptr;  // their states are not on the way to the answer
     const auto row = [&](const std::string& way, double from, const PathResult& path) {
@@ -214,8 +244,10 @@ class Run {
     log_.phase("set-up");
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
-    const PathResult released = release(scene, start, give, settings(Skin::deformable));
-    accept(scene, released, "body");
+    PathSettings path = settings(Skin::deformable);
+    path.lost_iterations = 50;  // there is another way
+    const PathResult released = release(scene, start, give, path);
+    if (!accept(scene, released, "body") && !slides_freely(case_)) return limit_of_small_friction();
     finish_on_body(scene, released, rigid, on_rigid);
   }
 
@@ -255,7 +287,7 @@ class Run {
 
   /// No edge holds the garment and friction does not, either; `net`: what pushed it while it stuck.
   void name_slipping(const Push& net) {
-    if (slides_freely(case_) && net.friction_needed > 0.9 * friction_choice(case_).coefficient)
+    if (slides_freely(case_) && net.friction_needed > 0.9 * friction_choice(worn_).coefficient)
       fail(no_equilibrium(net, case_, meshes_.garment));
   }
 
@@ -276,6 +308,7 @@ class Run {
   void fail(const std::string& why) { result_.status = "failed", result_.message = why; }
 
   const input::Case& case_;
+  input::Case worn_;  ///< the case with the friction that holds the garment on the way
   const Meshes& meshes_;
   const KeptStates& kept_;
   int stages_ = 0;
