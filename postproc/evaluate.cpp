@@ -23,20 +23,34 @@ std::vector<Eigen::Vector3d> deformed(const BodyResult& body) {
 /// Entry n of a field that may be left out.
 double entry(const std::vector<double>& field, std::size_t n) { return n < field.size() ? field[n] : 0.0; }
 
+/// Mean over the cover and largest nodal value of a field of pressure.
+struct Pressures {
+  double covered = 0.0, force = 0.0, largest = 0.0;
+  void add(double area, double pressure) {
+    covered += area, force += area * pressure;
+    largest = std::max(largest, pressure);
+  }
+};
+
+/// A hem is a line load and no pressure of the location, unless there is nothing but hems.
 LocationRow summarise(const BodyResult& body, int location, const std::vector<double>& areas) {
   LocationRow row;
   row.name = body.locations[location];
-  double covered = 0.0, force = 0.0;
+  Pressures all, inside;
+  const std::vector<double>& beside = body.pressure_inside.empty() ? body.contact_pressure : body.pressure_inside;
   for (std::size_t n = 0; n < body.node_location.size(); ++n) {
     if (body.node_location[n] != location) continue;
     const double area = areas[n] * entry(body.coverage, n);
     row.area += areas[n];
-    covered += area;
-    force += area * entry(body.contact_pressure, n);
-    row.max_pressure = std::max(row.max_pressure, entry(body.contact_pressure, n));
+    all.add(area, entry(body.contact_pressure, n));
+    if (entry(body.hem, n) == 0.0) inside.add(area, entry(beside, n));
   }
-  if (row.area > 0) row.coverage = covered / row.area;
-  if (covered > 0) row.mean_pressure = force / covered;
+  if (row.area > 0) row.coverage = all.covered / row.area;
+  const bool hem_only = all.covered > 0.0 && !(inside.covered > 0.0);
+  if (inside.covered < all.covered) row.pressures_of = hem_only ? "hem" : "cover beside hems";
+  const Pressures& told = hem_only ? all : inside;
+  if (told.covered > 0.0) row.mean_pressure = told.force / told.covered;
+  row.max_pressure = told.largest;
   return row;
 }
 
@@ -107,7 +121,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)
     evaluation.locations.push_back(summarise(body, static_cast<int>(location), areas));
-  if (comfort) add_sensation(evaluation, *comfort, directory);
+  if (comfort && run.status == "converged") add_sensation(evaluation, *comfort, directory);
   return evaluation;
 }
 

@@ -17,8 +17,9 @@ struct LocationRow {
   std::string name;
   double area = 0.0;             ///< m2, deformed skin of the location
   double coverage = 0.0;         ///< 0..1, covered share of that area
-  double mean_pressure = 0.0;    ///< Pa, weighted by covered area; 0 without cover
-  double max_pressure = 0.0;     ///< Pa, largest nodal value
+  double mean_pressure = 0.0;    ///< Pa, weighted by covered area, the strips beside the hems left out; 0 without cover
+  double max_pressure = 0.0;     ///< Pa, largest nodal value beside the hems
+  std::string pressures_of = "cover";  ///< "cover beside hems" where strips are left out; "hem" where there is nothing but them
   std::optional<double> rating;  ///< [0, 4]; none without cover, comfort section or curve of that name
   std::string term;              ///< neutral ... extremely uncomfortable; empty without a rating
   bool significant = true;       ///< false: the trial shows no effect of pressure here, the rating is its mean
@@ -42,7 +43,8 @@ struct Evaluation {
   std::string curves_source;             ///< their citation
 };
 
-/// Evaluates the last state of a run. `directory`: of the case, for a relative curve file.
+/// Evaluates the last state of a run. Short of the answer its pressures are those of another state: they are told, but no rating,
+/// class, threshold or comfort is made of them. `directory`: of the case, for a relative curve file.
 /// Throws InputError when the curves cannot be read.
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory = {});

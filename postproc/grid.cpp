@@ -193,6 +193,8 @@ void write_body(const BodyResult& body, const Evaluation& evaluation, const std:
   add_integers(points, "node_number", body.node_numbers);
   add_scalars(points, "contact_pressure", body.contact_pressure);
   add_scalars(points, "coverage", body.coverage);
+  add_scalars(points, "hem", body.hem);
+  add_scalars(points, "pressure_inside", body.pressure_inside);
   add_scalars(points, "laplace_pressure", body.laplace_pressure);
   add_vectors(points, "shear_traction", body.shear_traction);
   add_scalars(points, "slip", body.slip);

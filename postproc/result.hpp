@@ -19,6 +19,8 @@ struct ContactSample {
   bool touching = false;
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();  ///< N, friction of the garment on the skin
   bool slips = false;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();     ///< m, on the skin as it is now; where it faces none, on the garment
+  int hem = -1;                    ///< index into RunResult::hems: in the strip beside that edge; -1: in none
 };
 
 /// The deformed body with nodal fields. Tensors are symmetric: xx yy zz xy yz xz.
@@ -38,6 +40,9 @@ struct BodyResult {
                                                       ///< cauchy_stress is then that of its middle
   std::vector<double> contact_pressure;               ///< Pa, nodes off the skin 0
   std::vector<double> coverage;                       ///< 0..1
+  std::vector<double> hem;                            ///< 1 in the strip beside an edge of the garment (hem.hpp), else 0;
+                                                      ///< empty without contact
+  std::vector<double> pressure_inside;                ///< Pa, of the contact beside those strips, 0 in them; empty as `hem`
   std::vector<double> laplace_pressure;               ///< Pa, L0 value where computed; may be empty
   std::vector<Eigen::Vector3d> shear_traction;        ///< Pa, friction of the garment on the skin; empty without friction
   std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips; empty without friction
@@ -47,10 +52,17 @@ struct BodyResult {
   }
 };
 
+/// A named edge of the garment as it lies: its sides are vertex, mid-edge node, vertex of the pattern.
+struct GarmentEdge {
+  std::string name;
+  std::vector<std::array<int, 3>> sides;
+};
+
 struct GarmentResult {
   std::vector<Eigen::Vector3d> placed, current;       ///< m, one entry a pattern node
   std::vector<Eigen::Vector2d> pattern;               ///< m
   std::vector<std::array<int, 6>> triangles;
+  std::vector<GarmentEdge> edges;
   std::vector<double> tension_warp, tension_weft, shear;  ///< Cauchy forces per current length, N/m, a triangle
   std::vector<double> stretch_warp, stretch_weft;     ///< a triangle
   std::vector<double> wrinkled;                       ///< 0 taut, 1 wrinkled, 2 slack, a triangle
@@ -70,6 +82,7 @@ struct Iteration {  ///< one row of history.csv
   double energy = 0.0;            ///< J
   double seconds = 0.0;           ///< since the start of the solve
   std::string event;              ///< "", "refactored", "proximal", ...
+  int attempt = 1;                ///< at this increment: 2 after one that failed and was cut
 };
 
 struct Balance {
@@ -80,6 +93,16 @@ struct Balance {
   double contact_force = 0.0;                                ///< N, sum of |normal point forces|
   double friction_force = 0.0;                               ///< N, sum of |tangential point forces|
   std::map<std::string, Eigen::Vector3d> reactions;          ///< "upper edge", "bone", "lower cut", ... N
+};
+
+/// What a named edge of the garment puts on the skin: a force per length (hem.hpp).
+struct Hem {
+  std::string edge;
+  double length = 0.0;            ///< m, of the edge as worn
+  double strip = 0.0;             ///< m, width of the strip beside it that the statistics of the pressure leave out
+  double reach = 0.0;             ///< m, width within which its force is summed: one skin cell
+  double force = 0.0;             ///< N, normal contact force within reach
+  double line_load = 0.0;         ///< N/m, of that force what the pressure beyond reach does not explain, per length
 };
 
 struct Phase {
@@ -97,15 +120,38 @@ struct DonningRow {
   double mean_pressure = 0.0, max_pressure = 0.0;  ///< Pa, over the touched skin; largest nodal value
 };
 
+/// Something about a result that its reader should know before using it; found by measuring the result, with what was measured.
+struct Warning {
+  std::string name;               ///< "fabric beyond its data"
+  std::string text;               ///< what was found, with its figures
+  std::string place;              ///< where: "heights 150 to 220 mm, most at 212 mm"; empty: everywhere
+  std::string remedy;             ///< what to do about it
+  std::string quantity;           ///< the key of RunResult::numbers that was looked at
+  double value = 0.0, limit = 0.0;  ///< of that quantity
+};
+
+/// What a reported state is: where on the load path it stands, and what is not its own there.
+struct StateTruth {
+  std::string stage;              ///< "rigid skin", "friction", "body"; empty where there is no path
+  double fraction = 1.0;          ///< of that stage
+  double stiffening = 1.0;        ///< factor on the body's stiffness, 1: its own
+  double friction_bound = 1.0;    ///< factor on the bound of friction, 1: its own, infinite: the garment sticks
+};
+
 struct RunResult {
   std::string title, tier;
   std::string status;             ///< converged | partial | failed
   std::string message;            ///< why it is not converged, and the remedy
+  StateTruth truth;               ///< of the state that everything here belongs to
+  std::vector<std::string> remedies;     ///< what to try when it is not converged, one sentence each
+  std::vector<std::string> assumptions;  ///< what the case does not say and the run took, with its source
+  std::vector<Warning> warnings;
   BodyResult body;
   GarmentResult garment;          ///< no triangles: the scene has no garment
   std::vector<ContactSample> samples;
   std::vector<Iteration> history;
   Balance balance;
+  std::vector<Hem> hems;          ///< named edges of a garment in contact
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;
   std::vector<DonningRow> donning;  ///< empty without friction

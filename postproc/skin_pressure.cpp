@@ -204,6 +204,14 @@ SkinPressure transfer(const Facets& facets, std::size_t nodes, const Points& pos
   return result;
 }
 
+double field_at(const Facets& facets, const ContactSample& sample, const std::vector<double>& field) {
+  const auto& facet = facets.at(sample.facet);
+  const Shares share = shares(facet, sample.xi, sample.eta);
+  double value = 0.0;
+  for (int i = 0; i < share.nodes; ++i) value += share.shape[i] * field[facet[i]];
+  return value;
+}
+
 SkinShear transfer_shear(const Facets& facets, const SkinPressure& normal, const std::vector<ContactSample>& samples) {
   const std::size_t nodes = normal.pressure.size();
   SkinShear result{Points(nodes, Eigen::Vector3d::Zero()), std::vector<double>(nodes, 0.0)};

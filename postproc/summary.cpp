@@ -1,7 +1,9 @@
 #include "postproc/summary.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -29,6 +31,7 @@ Json location_json(const LocationRow& row) {
                {"coverage", row.coverage},
                {"mean_pressure_Pa", row.mean_pressure},
                {"max_pressure_Pa", row.max_pressure},
+               {"pressures_of", row.pressures_of},
                {"mean_pressure_gf_per_cm2", to_gf_cm2(row.mean_pressure)},
                {"mean_pressure_mmHg", to_mmHg(row.mean_pressure)},
                {"rating", nullptr},
@@ -126,6 +129,34 @@ Json donning_json(const RunResult& run) {
   return json;
 }
 
+// Pressures of locations and the largest one leave the strips out.
+Json hems_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const Hem& hem : run.hems)
+    json.push_back({{"edge", hem.edge},
+                    {"line_load_N_per_m", hem.line_load},
+                    {"length_m", hem.length},
+                    {"strip_m", hem.strip},
+                    {"reach_m", hem.reach},
+                    {"force_within_reach_N", hem.force}});
+  return json;
+}
+
+Json warnings_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const Warning& w : run.warnings)
+    json.push_back({{"name", w.name}, {"text", w.text}, {"place", w.place}, {"remedy", w.remedy},
+                    {"quantity", w.quantity}, {"value", w.value}, {"limit", w.limit}});
+  return json;
+}
+
+Json state_json(const StateTruth& truth) {
+  return {{"stage", truth.stage},
+          {"fraction", truth.fraction},
+          {"body_stiffening", truth.stiffening},
+          {"friction_bound", truth.friction_bound}};
+}
+
 Json unknowns_json(const RunResult& run) {
   Json json = object(run.unknowns);
   json["total"] = std::accumulate(run.unknowns.begin(), run.unknowns.end(), 0L,
@@ -162,12 +193,18 @@ void add_outcome(Json& json, const RunResult& run) {
   json["tier"] = run.tier;
   json["status"] = run.status;
   json["message"] = run.message;
+  if (!run.truth.stage.empty()) json["state"] = state_json(run.truth);
+  json["what_to_try"] = run.remedies;
+  if (!run.truth.stage.empty() && run.status != "converged") json["state"]["text"] = state_text(run);
+  json["warnings"] = warnings_json(run);
+  json["assumptions"] = run.assumptions;
   json["plan"] = {{"in", run.parts_in}, {"out", run.parts_out}};
   json["unknowns"] = unknowns_json(run);
   json["increments"] = run.increments;
   json["iterations"] = run.iterations;
   json["residuals"] = residuals_json(run);
   json["balance"] = balance_json(run.balance);
+  if (!run.hems.empty()) json["hems"] = hems_json(run);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
   if (!run.donning.empty()) json["spread_over_donning_paths"] = donning_json(run);
@@ -183,6 +220,15 @@ void add_evaluation(Json& json, const Evaluation& evaluation) {
 }
 
 }  // namespace
+
+std::string state_text(const RunResult& run) {
+  const StateTruth& truth = run.truth;
+  std::string text = fmt::format("at {:.1f} % of the stage \"{}\"", 100.0 * truth.fraction, truth.stage);
+  if (truth.stiffening != 1.0) text += fmt::format(", the body {:.3g} times as stiff as it is", truth.stiffening);
+  if (std::isinf(truth.friction_bound)) text += ", the garment stuck where it was placed";
+  else if (truth.friction_bound != 1.0) text += fmt::format(", friction bound to {:.3g} times its coefficient", truth.friction_bound);
+  return text;
+}
 
 void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation,
                    const Provenance& provenance) {

@@ -18,6 +18,9 @@ struct Provenance {
   std::map<std::string, std::map<std::string, double>> mesh_quality;  ///< layer or part -> measure -> value
 };
 
+/// "at 33 % of the stage rigid skin, the tissue 12 times as stiff as it is": what a state short of the answer is.
+std::string state_text(const RunResult& run);
+
 void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation, const Provenance& provenance);
 /// Needs evaluation.comfort. Throws std::logic_error without.
 void write_comfort(std::ostream& out, const Evaluation& evaluation);

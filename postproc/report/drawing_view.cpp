@@ -75,7 +75,8 @@ Json map_view(const RunFiles& run, const PressureScale& scale, double width) {
           {"unrolled", map.unrolled},
           {"bar", bar_view(scale, map.height, top)},
           {"contact", top > 0.0},
-          {"largest", number(top)},
+          {"largest", number(largest_beside(*run.skin))},
+          {"hems", !run.skin->beside.empty()},
           {"largest_place", map.largest_place},
           {"largest_x", pixels(map.largest_x)},
           {"largest_y", pixels(map.largest_y)}};

@@ -36,12 +36,23 @@ Json figures_view(const Json& summary) {
   const double mean = value_at(numbers, "mean_contact_pressure_Pa"), top = value_at(numbers, "max_contact_pressure_Pa"),
                laplace = value_at(summary, "mean_laplace_pressure_Pa"), contact = value_at(balance, "contact_force_N");
   add("Mean contact pressure", mean, 1.0, "Pa", pressure_text(mean));
-  add("Largest contact pressure", top, 1.0, "Pa", pressure_text(top) + ", hems included");
+  add("Largest contact pressure", top, 1.0, "Pa", pressure_text(top) + (summary.contains("hems") ? ", beside the hems" : ""));
   add("Largest displacement of the skin", value_at(numbers, "max_skin_displacement_m"), 1e3, "mm", "");
   if (contact > 0.0) {
     add("Contact force", contact, 1.0, "N", "sum of the amounts over the skin");
     add("Contact area", value_at(numbers, "contact_area_m2"), 1e4, "cm²", "");
   }
+  const double friction = value_at(balance, "friction_force_N");
+  if (friction > 0.0) {
+    add("Friction force", friction, 1.0, "N", "sum of the amounts over the skin");
+    add("Largest shear traction", value_at(numbers, "max_shear_traction_Pa"), 1.0, "Pa", "friction of the garment on the skin");
+    add("Slipping share of the contact", value_at(numbers, "slipping_share_of_contact"), 100.0, "%", "the rest sticks");
+  }
+  add("Gathered cloth", value_at(numbers, "gathered_share"), 100.0, "%", "share of the cloth that lies in folds");
+  add("Slack cloth", value_at(numbers, "slack_share"), 100.0, "%", "share of the cloth without any tension");
+  add("Cloth beyond its data", value_at(numbers, "fabric_beyond_data_share"), 100.0, "%",
+      fmt::format("measured to {} %, stretched by up to {} %", number(100.0 * value_at(numbers, "fabric_data_end")),
+                  number(100.0 * value_at(numbers, "fabric_largest_strain"))));
   if (laplace > 0.0) add("Law of Laplace", laplace, 1.0, "Pa", "sanity value: tension × curvature, skin undeformed");
   return figures;
 }
@@ -84,6 +95,45 @@ Json balance_view(const Json& summary) {
   for (const auto& [name, force_vector] : reactions.items())
     add("Reaction, " + name, joined(force_vector, contact) + " N", "x, y, z");
   return rows;
+}
+
+Json hems_view(const Json& summary) {
+  Json rows = Json::array();
+  for (const Json& hem : summary.value("hems", Json::array()))
+    rows.push_back({{"edge", hem.value("edge", "")},
+                    {"line_load", number(value_at(hem, "line_load_N_per_m"))},
+                    {"length", number(1e3 * value_at(hem, "length_m"))},
+                    {"strip", number(1e3 * value_at(hem, "strip_m"))}});
+  return rows;
+}
+
+Json texts_view(const Json& texts) {
+  Json rows = Json::array();
+  for (const Json& text : texts) rows.push_back({{"text", text.get<std::string>()}});
+  return rows;
+}
+
+Json warnings_view(const Json& summary) {
+  Json rows = Json::array();
+  for (const Json& w : summary.value("warnings", Json::array()))
+    rows.push_back({{"name", w.value("name", "")}, {"text", w.value("text", "")}, {"place", w.value("place", "")}, {"remedy", w.value("remedy", "")}});
+  return rows;
+}
+
+Json donning_view(const Json& summary) {
+  Json rows = Json::array();
+  for (const Json& row : summary.value("spread_over_donning_paths", Json::array()))
+    rows.push_back({{"name", row.value("assumption", "")},
+                    {"mean", number(value_at(row, "mean_contact_pressure_Pa"))},
+                    {"largest", number(value_at(row, "max_contact_pressure_Pa"))},
+                    {"open", !row.value("converged", true)}});
+  return rows;
+}
+
+/// A list and whether there is anything in it.
+void put_list(Json& view, const std::string& name, const Json& rows) {
+  view[name] = rows;
+  view["has_" + name] = !rows.empty();
 }
 
 Json phases_view(const Json& summary) {
@@ -171,6 +221,12 @@ Json run_view(const RunFiles& run) {
   view["partial"] = view["status"] == "partial";
   view["figures"] = figures_view(summary);
   view["balance"] = balance_view(summary);
+  view["state"] = summary.value("state", Json::object()).value("text", "");
+  put_list(view, "hems", hems_view(summary));
+  put_list(view, "donning", donning_view(summary));
+  put_list(view, "warnings", warnings_view(summary));
+  put_list(view, "remedies", texts_view(summary.value("what_to_try", Json::array())));
+  put_list(view, "assumptions", texts_view(summary.value("assumptions", Json::array())));
   view["phases"] = phases_view(summary);
   view["parts_in"] = parts_view(plan.value("in", Json::array()));
   view["parts_out"] = parts_view(plan.value("out", Json::array()));

@@ -70,14 +70,24 @@ std::string colour(double t) {
   return fmt::format("#{:06x}", mixed);
 }
 
-double largest(const Skin& skin) {
-  return skin.pressure.empty() ? 0.0 : std::max(0.0, *std::max_element(skin.pressure.begin(), skin.pressure.end()));
+namespace {
+
+double largest_of(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : std::max(0.0, *std::max_element(values.begin(), values.end()));
 }
+
+}  // namespace
+
+const std::vector<double>& pressure_beside(const Skin& skin) { return skin.beside.empty() ? skin.pressure : skin.beside; }
+
+double largest(const Skin& skin) { return largest_of(skin.pressure); }
+double largest_beside(const Skin& skin) { return largest_of(pressure_beside(skin)); }
 
 double largest_inside(const Skin& skin) {
   double result = 0.0;
-  for (std::size_t n = 0; n < skin.pressure.size(); ++n)
-    if (skin.coverage[n] > 0.95) result = std::max(result, skin.pressure[n]);
+  const std::vector<double>& pressure = pressure_beside(skin);
+  for (std::size_t n = 0; n < pressure.size(); ++n)
+    if (skin.coverage[n] > 0.95) result = std::max(result, pressure[n]);
   return result > 0.0 ? result : largest(skin);
 }
 

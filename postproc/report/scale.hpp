@@ -40,12 +40,15 @@ struct PressureScale {
   std::string band_colour(int band) const { return colour((band + 0.5) / bands); }
 };
 
-/// Round, and just above the largest pressure inside the garments (coverage above 0.95): a hem is a line and would take
-/// the whole scale.
+/// Round, and just above the largest pressure inside the garments (coverage above 0.95, beside the hems): a hem is a line
+/// and would take the whole scale.
 PressureScale pressure_scale(const std::vector<const Skin*>& skins);
 
-/// The largest pressure where the garment covers the skin wholly, and anywhere. Pa.
+/// The pressure beside the hems; that everywhere where the skin knows no hems. Pa, one value a node.
+const std::vector<double>& pressure_beside(const Skin& skin);
+/// The largest pressure where the garment covers the skin wholly, beside the hems, and anywhere. Pa.
 double largest_inside(const Skin& skin);
+double largest_beside(const Skin& skin);
 double largest(const Skin& skin);
 
 }  // namespace snug::postproc::report

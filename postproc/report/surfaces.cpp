@@ -113,6 +113,7 @@ Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
   skin.nodes = chosen(points(*grid), skin.numbers);
   skin.displacement = chosen(vectors(data, "displacement", count), skin.numbers);
   skin.pressure = chosen(field(data, "contact_pressure", count), skin.numbers);
+  if (data.GetArray("pressure_inside")) skin.beside = chosen(field(data, "pressure_inside", count), skin.numbers);
   skin.coverage = chosen(field(data, "coverage", count), skin.numbers);
   skin.locations = names(*grid->GetFieldData(), "location_names");
   const auto location = field(data, "location", count);

@@ -17,6 +17,7 @@ struct Skin {
   std::vector<int> numbers;                          ///< of the nodes, as in skin.csv and the nodal listings
   std::vector<Eigen::Vector3d> nodes, displacement;  ///< reference positions and displacements, m
   std::vector<double> pressure;                      ///< Pa
+  std::vector<double> beside;                        ///< Pa, of the contact beside the hems; empty: there are none
   std::vector<double> coverage;                      ///< 0..1
   std::vector<int> location;                         ///< -1: none
   std::vector<std::string> locations;                ///< names

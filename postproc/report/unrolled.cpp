@@ -287,7 +287,8 @@ UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
     if (!path.empty()) map.bands.emplace_back(scale.band_colour(band), std::move(path));
   }
   map.patches = patches(skin, drawing, drawer);
-  const auto peak = std::max_element(skin.pressure.begin(), skin.pressure.end()) - skin.pressure.begin();
+  const std::vector<double>& beside = pressure_beside(skin);
+  const auto peak = std::max_element(beside.begin(), beside.end()) - beside.begin();
   const Vector2d at = chart.at[peak];
   const double angle = chart.tube ? wrapped(at.x(), drawer.from()) : at.x();
   const Vector2d place = drawer.place(angle, at.y());

@@ -32,7 +32,7 @@ struct UnrolledMap {
   std::vector<MapTick> across, along;
   std::string across_name, along_name;      ///< "angle round the body", "height [mm]"
   bool unrolled = true;                     ///< false: the skin is no tube, the map looks at it from its normal
-  double largest_x = 0.0, largest_y = 0.0;  ///< where the pressure is largest, pixels
+  double largest_x = 0.0, largest_y = 0.0;  ///< where the pressure beside the hems is largest, pixels
   std::string largest_place;                ///< "at 45°, height 210 mm"
 };
 

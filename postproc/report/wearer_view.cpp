@@ -19,6 +19,7 @@ std::string note_of(const Json& row) {
   std::string note;
   if (!row.value("significant", true)) note = "the trial found no effect of pressure here; the rating is its mean";
   if (row.value("extrapolated", false)) note += std::string(note.empty() ? "" : "; ") + "outside the trial's pressures";
+  if (row.value("pressures_of", "") == "hem") note += std::string(note.empty() ? "" : "; ") + "a hem: no pressure beside it";
   return note;
 }
 

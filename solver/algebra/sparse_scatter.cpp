@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace snug::solver {
 
@@ -38,6 +39,25 @@ void SparseScatter::collect_touches(const Numbering& numbering, const std::vecto
           touch_[next[row]++] = {static_cast<int>(g), e, i - groups_[g].row_offset[e]};
 }
 
+void SparseScatter::collect_folds(const Numbering& numbering, const ElementEntries& entries, Group& group) {
+  group.folds.clear(), group.fold_offset.clear();
+  if (numbering.bound().empty()) return;
+  group.fold_offset.assign(1, 0);
+  for (int e = 0; e < entries.elements(); ++e) {
+    const auto own = entries.of(e);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const auto bound = numbering.bound().find(own[i]);
+      if (bound == numbering.bound().end()) continue;
+      for (const Follow& follow : bound->second) {
+        const auto to = std::find(own.begin(), own.end(), follow.entry);
+        if (to == own.end()) throw std::logic_error("an entry is bound to one that its element does not have");
+        group.folds.push_back({static_cast<int>(i), static_cast<int>(to - own.begin()), follow.weight});
+      }
+    }
+    group.fold_offset.push_back(group.folds.size());
+  }
+}
+
 void SparseScatter::fill_row(int row, const std::vector<const ElementEntries*>& groups, const Numbering& numbering,
                              std::vector<int>& where) {
   const std::size_t begin = column_.size();
@@ -67,6 +87,7 @@ void SparseScatter::build(const Numbering& numbering, const std::vector<const El
   first_row_ = first_row;
   end_row_ = end_row;
   collect_touches(numbering, groups);
+  for (std::size_t g = 0; g < groups.size(); ++g) collect_folds(numbering, *groups[g], groups_[g]);
   row_offset_.assign(1, 0);
   column_.clear();
   diagonal_.assign(rows(), -1);
@@ -85,6 +106,22 @@ void SparseScatter::zero() {
 void SparseScatter::add(int group_index, int element, std::span<const double> residual, std::span<const double> matrix) {
   const Group& group = groups_[group_index];
   if (!group.touched[element]) return;
+  const bool bound = !group.fold_offset.empty() && group.fold_offset[element] != group.fold_offset[element + 1];
+  if (!bound) return add_unfolded(group, element, residual, matrix);
+  std::vector<double> force(residual.begin(), residual.end()), stiffness(matrix.begin(), matrix.end());
+  const std::size_t n = residual.size();
+  for (std::size_t f = group.fold_offset[element]; f < group.fold_offset[element + 1]; ++f) {
+    const auto& [from, to, weight] = group.folds[f];
+    force[to] += weight * force[from];
+    if (matrix.empty()) continue;
+    for (std::size_t k = 0; k < n; ++k) stiffness[to * n + k] += weight * stiffness[from * n + k];
+    for (std::size_t k = 0; k < n; ++k) stiffness[k * n + to] += weight * stiffness[k * n + from];
+  }
+  add_unfolded(group, element, force, stiffness);
+}
+
+void SparseScatter::add_unfolded(const Group& group, int element, std::span<const double> residual,
+                                 std::span<const double> matrix) {
   const int* row = group.row.data() + group.row_offset[element];
   const int n = group.row_offset[element + 1] - group.row_offset[element];
   for (int i = 0; i < n; ++i)

@@ -24,7 +24,8 @@ struct ElementEntries {
   }
 };
 
-/// Rows [first_row, end_row) of the matrix, which this rank owns; columns are global unknowns.
+/// Rows [first_row, end_row) of the matrix, which this rank owns; columns are global unknowns. Entries that the numbering
+/// binds to others of the same element are eliminated there: C^T K C, so that a symmetric matrix stays symmetric.
 class SparseScatter {
  public:
   /// Builds the pattern of all groups (one a term). Elements that touch no owned row are skipped.
@@ -59,14 +60,20 @@ class SparseScatter {
   const Eigen::VectorXd& condensed() const { return condensed_; }
 
  private:
+  /// A local entry of an element that is bound: what acts on it goes to another local entry, times the weight.
+  struct Fold { int from, to; double weight; };
   struct Group {
     std::vector<std::size_t> offset;  ///< of the element's positions
     std::vector<int> position;        ///< n x n positions in `value_`, -1: not ours
     std::vector<int> row_offset;      ///< of the element's rows
     std::vector<int> row;             ///< n local rows, -1: not ours
     std::vector<char> touched;        ///< one an element: some row is ours
+    std::vector<std::size_t> fold_offset;  ///< of the element's folds; empty where the numbering binds nothing
+    std::vector<Fold> folds;
   };
   struct Touch { int group, element, local; };
+  void collect_folds(const Numbering& numbering, const ElementEntries& entries, Group& group);
+  void add_unfolded(const Group& group, int element, std::span<const double> residual, std::span<const double> matrix);
   void collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);
   void fill_row(int row, const std::vector<const ElementEntries*>& groups, const Numbering& numbering,
                 std::vector<int>& where);

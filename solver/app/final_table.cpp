@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/input/suggestion.hpp"
+#include "postproc/summary.hpp"
 #include "postproc/units.hpp"
 #include "solver/app/print_plan.hpp"
 
@@ -16,10 +17,10 @@ using postproc::to_gf_cm2;
 using postproc::to_mmHg;
 
 std::string rating_text(const postproc::LocationRow& row) {
-  if (!row.rating) return "-";
-  std::string text = fmt::format("{:.2f} {}", *row.rating, row.term);
+  std::string text = row.rating ? fmt::format("{:.2f} {}", *row.rating, row.term) : "-";
   if (!row.significant) text += " (the trial found no effect of pressure here)";
   if (row.extrapolated) text += " (outside the trial's pressures)";
+  if (row.pressures_of == "hem") text += " (its cover is a hem: no pressure beside it)";
   return text;
 }
 
@@ -54,6 +55,27 @@ std::string balance_text(const postproc::RunResult& run) {
                         100.0 * run.numbers.at("slipping_share_of_contact"));
   if (balance.contact_force > 0.0)
     text += fmt::format("  penetration        {:.1e} mm at most\n", run.max_penetration * 1e3);
+  return text;
+}
+
+std::string hems_text(const postproc::RunResult& run) {
+  std::string text;
+  for (const postproc::Hem& hem : run.hems)
+    text += fmt::format("  hem                {} edge: {:.3g} N/m over {:.0f} mm, a line load; the pressures above leave out {:.1f} mm beside it\n",
+                        hem.edge, hem.line_load, 1e3 * hem.length, 1e3 * hem.strip);
+  return text;
+}
+
+std::string listed(const char* name, const std::vector<std::string>& texts) {
+  std::string text;
+  for (const std::string& one : texts) text += fmt::format("  {:<18} {}\n", text.empty() ? name : "", one);
+  return text;
+}
+
+std::string warnings_text(const postproc::RunResult& run) {
+  std::string text;
+  for (const postproc::Warning& w : run.warnings)
+    text += fmt::format("  warning            {}: {}{}; {}\n", w.name, w.text, w.place.empty() ? "" : " (" + w.place + ")", w.remedy);
   return text;
 }
 
@@ -107,6 +129,13 @@ std::string phases_text(const postproc::RunResult& run) {
   return text + linear_text(run);
 }
 
+/// What the state is, where it is not the answer: on what follows no class, rating, threshold or comfort is made.
+std::string truth_text(const postproc::RunResult& run) {
+  if (run.status == "converged" || run.truth.stage.empty()) return {};
+  return fmt::format("  state              {}\n                     its pressures are not the answer; no class, rating, threshold or comfort is made of them\n",
+                     postproc::state_text(run));
+}
+
 }  // namespace
 
 std::string locations_text(const postproc::Evaluation& evaluation) {
@@ -128,7 +157,8 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
                        const std::filesystem::path& out) {
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, run.status,
                                  run.increments, run.iterations);
-  text += locations_text(evaluation) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
+  text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
+  text += locations_text(evaluation) + hems_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}\n", memory_text(run.peak_memory));
   return text + fmt::format("  files              {}\n", out.string());
 }

@@ -7,10 +7,17 @@
 
 namespace snug::app {
 
-/// "body  increment 4  s 0.550  Newton 3  residual 2.1e-04  contact 812  12 s of about 40 s"
+/// "body  increment 4  s 0.550  Newton 3  residual 2.1e-04  contact 812  12 s of about 40 s"; after an increment that failed
+/// "increment 4, attempt 2".
 std::string progress_text(const solver::Progress& progress);
 
-/// On a terminal one line that is rewritten; otherwise a plain line for each increment.
+/// What is said once when a run takes over `patience` times its forecast, and longer than anybody looks away for: that it does,
+/// and what it is doing.
+constexpr double patience = 3.0, noticed = 10.0;  // times; s
+bool overdue(const solver::Progress& progress);
+std::string overdue_text(const solver::Progress& progress);
+
+/// On a terminal one line that is rewritten; otherwise a plain line for each increment and each attempt at it.
 class ProgressLine {
  public:
   /// `quiet`: says nothing.
@@ -27,7 +34,7 @@ class ProgressLine {
   bool quiet_, terminal_;
   bool open_ = false;  ///< a line is on the terminal without its end
   solver::Progress last_;
-  bool any_ = false;
+  bool any_ = false, overdue_ = false;
 };
 
 }  // namespace snug::app

@@ -144,7 +144,7 @@ class Run : public Command {
     StateFiles states;
     postproc::RunResult run = solve(prepared, states, out);
     if (!writes_) return run.status == "converged" ? done : not_converged;
-    // Nothing converged: the pressures mean nothing, and no rating or comfort is made of them.
+    // Nothing converged: the pressures mean nothing.
     const auto evaluation = run.status == "failed"
                                 ? postproc::Evaluation{}
                                 : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);

@@ -9,7 +9,9 @@
 #include "solver/algebra/communicator.hpp"
 #include "solver/scene/friction_choice.hpp"
 #include "solver/scene/partition.hpp"
+#include "solver/terms/facet_kind.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
+#include "solver/terms/skin_surface.hpp"
 
 namespace snug::solver {
 
@@ -30,17 +32,51 @@ void constrain_pressures(const mesh::BodyMesh& body, const Layout& layout, Const
   for (int i = 0; i < layout.cell_fields; ++i) fix(constraints, layout.cell_field(i));
 }
 
+// Unit tangent of the skin at the foot point of x along the body's axis: the axis without its part along the normal. The axis
+// itself where x faces no skin.
+Eigen::Vector3d meridian(const SkinSurface& skin, const mesh::BodyMesh& body, const Eigen::Vector3d& x) {
+  const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  const Site foot = skin.find(State{}, x);
+  if (foot.facet < 0) return axis;
+  const FacetNodes nodes = facet_positions(body, skin.nodes_of(foot.facet));
+  const Eigen::Vector3d n = facet_point(nodes, facet_shape(skin.kind(), foot.xi)).n;
+  return (axis - axis.dot(n) * n).normalized();
+}
+
+// A node moves freely round and off the body but not along its meridian m: m . u = 0, solved for the largest component.
+void hold_along(const Eigen::Vector3d& m, int first, Constraints& constraints) {
+  constexpr double round_off = 1e-12;  // of a unit tangent: a cylinder's has one component
+  int largest = 2;
+  m.cwiseAbs().maxCoeff(&largest);
+  if (constraints.is_constrained(first + largest)) return;
+  constraints.add_line(first + largest);
+  for (int c = 0; c < 3; ++c)
+    if (c != largest && std::abs(m[c]) > round_off) constraints.add_entry(first + largest, first + c, -m[c] / m[largest]);
+}
+
+void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                const Layout& layout, Constraints& constraints) {
+  for (const auto& edge : held)
+    if (edge.held == "all")
+      for (const int node : garment.edges.at(edge.edge))
+        for (int c = 0; c < 3; ++c) fix(constraints, layout.garment(node, c));
+  if (std::none_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "axis"; })) return;
+  const SkinSurface skin(layout, body, false);
+  for (const auto& edge : held)
+    if (edge.held == "axis")
+      for (const int node : garment.edges.at(edge.edge))
+        hold_along(meridian(skin, body, garment.placed[node]), layout.garment(node), constraints);
+}
+
 bool turns_freely(const input::GarmentSpec& spec) {
   return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == "all"; });
 }
 
-void constrain_garment(const input::Case& description, const mesh::GarmentMesh& garment, const Layout& layout,
-                       Constraints& constraints) {
+void constrain_garment(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                       const Layout& layout, Constraints& constraints) {
   auto held = description.garment->held;
   if (slides_freely(description) && !has_friction(description)) held.push_back({.edge = probe_edge(garment), .held = "axis"});
-  for (const auto& edge : held)
-    for (const int node : garment.edges.at(edge.edge))
-      for (int c = edge.held == "all" ? 0 : 2; c < 3; ++c) fix(constraints, layout.garment(node, c));
+  hold_edges(held, body, garment, layout, constraints);
   if (turns_freely(*description.garment) && !has_friction(description)) {
     const TurnPin pin = turn_pin(garment);
     fix(constraints, layout.garment(pin.node, pin.component));
@@ -108,14 +144,18 @@ Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& b
     constrain_pressures(body, layout, constraints);
     for (const int entry : supports.entries()) fix(constraints, entry);
   }
-  if (layout.garment_nodes > 0) constrain_garment(description, garment, layout, constraints);
+  if (layout.garment_nodes > 0) constrain_garment(description, body, garment, layout, constraints);
   constraints.close();
   std::vector<int> master(layout.size());
+  Bound bound;
   for (int i = 0; i < layout.size(); ++i) {
     master[i] = i;
     if (!constraints.is_constrained(i)) continue;
-    const auto* line = constraints.get_constraint_entries(i);
-    master[i] = line->empty() ? -1 : static_cast<int>(line->front().first);
+    const auto& line = *constraints.get_constraint_entries(i);
+    const bool sewn = line.size() == 1 && line.front().second == 1.0 && static_cast<int>(line.front().first) / 3 != i / 3;
+    master[i] = sewn ? static_cast<int>(line.front().first) : -1;
+    if (!sewn)
+      for (const auto& [entry, weight] : line) bound[i].push_back({static_cast<int>(entry), weight});
   }
   std::vector<int> vertex_node;  // in the order in which contact numbers its multipliers
   if (layout.multipliers > 0) {
@@ -124,7 +164,8 @@ Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& b
       for (int v = 0; v < 3; ++v)
         if (const int node = garment.merged[triangle[v]]; !seen[node]) seen[node] = 1, vertex_node.push_back(node);
   }
-  return Numbering(std::move(master), entry_owners(layout, body, garment, vertex_node, ranks()), ranks());
+  return Numbering(std::move(master), entry_owners(layout, body, garment, vertex_node, ranks()), ranks(),
+                   std::move(bound));
 }
 
 }  // namespace snug::solver

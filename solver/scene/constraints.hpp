@@ -17,7 +17,7 @@ Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
 
 /// True when the scene has friction between garment and skin.
 
-/// True when no edge of the garment is held along the axis: it can slide off.
+/// True when no edge of the garment is held: it can slide off.
 bool slides_freely(const input::Case& description);
 
 /// The edge ("upper" or "lower") at which such a garment is held all the same, so that the reaction there tells whether
@@ -34,8 +34,9 @@ struct TurnPin {
 TurnPin turn_pin(const mesh::GarmentMesh& garment);
 
 /// What the supports prescribe has no unknowns; neither have pressures of layers whose law has none; sewn garment nodes
-/// share their unknowns; held edges keep their axial place (without friction, a garment without any is held at its probe
-/// edge, and one that can turn by its pin; friction needs neither). Built as
+/// share their unknowns; held edges keep their place along the skin's meridian, the tangent in the direction of the axis at
+/// the placed foot point, and move freely off the skin and round it (without friction, a garment without any is held at its
+/// probe edge, and one that can turn by its pin; friction needs neither). Built as
 /// deal.II AffineConstraints.
 Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                          const Layout& layout, const Supports& supports);

@@ -42,7 +42,7 @@ double turn_of(const mesh::Limb& limb, const Eigen::Vector3d& x) {
 }  // namespace
 
 LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
-                                 const mesh::Limb& limb, const mesh::BodyMesh& body) {
+                                 const mesh::Limb& limb, const mesh::BodyMesh& body, double give) {
   LaplacePressure result;
   result.pressure.assign(body.nodes.size(), 0.0);
   result.covered.assign(body.nodes.size(), 0);
@@ -55,9 +55,9 @@ LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materi
       if (result.covered[node] || x.z() < lower - 1e-9 || x.z() > upper + 1e-9) continue;
       auto [it, fresh] = tension_at.try_emplace(x.z());
       if (fresh)
-        it->second = tensions(fabric, garment.warp == "along", limb.girth(x.z()) / garment.pattern.flat_circumference);
+        it->second = tensions(fabric, garment.warp == "along", (1.0 - give) * limb.girth(x.z()) / garment.pattern.flat_circumference);
       result.covered[node] = 1;
-      result.pressure[node] = std::max(0.0, it->second.dot(limb.skin_curvature(turn_of(limb, x), x.z())));
+      result.pressure[node] = std::max(0.0, it->second.dot(Eigen::Vector2d(1.0 / (1.0 - give), 1.0).cwiseProduct(limb.skin_curvature(turn_of(limb, x), x.z()))));
     }
   double area = 0.0;
   const std::vector<double> areas = postproc::nodal_areas(body.skin_facets, body.nodes.size(), body.nodes);

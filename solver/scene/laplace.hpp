@@ -16,8 +16,9 @@ struct LaplacePressure {
   double mean = 0.0;
 };
 
-/// The garment is taken as axially held (axial stretch 1) and stretched to the girth at each height, sliding freely.
+/// The garment is taken as axially held (axial stretch 1) and stretched to the girth at each height, sliding freely. `give`: the
+/// share by which the body gives way under it; girths are that much smaller and curvatures around larger.
 LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
-                                 const mesh::Limb& limb, const mesh::BodyMesh& body);
+                                 const mesh::Limb& limb, const mesh::BodyMesh& body, double give = 0.0);
 
 }  // namespace snug::solver

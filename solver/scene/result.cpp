@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
+#include "postproc/hem.hpp"
 #include "postproc/skin_pressure.hpp"
 #include "solver/scene/friction_result.hpp"
 #include "solver/terms/facet_kind.hpp"
@@ -56,11 +58,26 @@ void fill_shell_stress(const Shell& shell, const mesh::BodyMesh& mesh, const Sta
   }
 }
 
+// Sides of triangles whose mid-edge node is a node of the edge.
+std::vector<postproc::GarmentEdge> named_edges(const mesh::GarmentMesh& mesh) {
+  std::vector<postproc::GarmentEdge> edges;
+  for (const auto& [name, nodes] : mesh.edges) {
+    const std::set<int> on_edge(nodes.begin(), nodes.end());
+    postproc::GarmentEdge edge{name, {}};
+    for (const auto& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k)
+        if (on_edge.count(mesh.merged[t[3 + k]])) edge.sides.push_back({t[k], t[3 + k], t[(k + 1) % 3]});
+    edges.push_back(std::move(edge));
+  }
+  return edges;
+}
+
 void fill_garment(const FabricMembrane& fabric, const Layout& layout, const State& state, const mesh::GarmentMesh& mesh,
                   postproc::GarmentResult& result) {
   result.placed = mesh.placed;
   result.pattern = mesh.pattern;
   result.triangles = mesh.triangles;
+  result.edges = named_edges(mesh);
   for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
     result.current.push_back(state.values.segment<3>(layout.garment(mesh.merged[node])));
   if (mesh.order == 1)
@@ -109,19 +126,36 @@ void fill_samples(const Contact& contact, const FabricMembrane& fabric, const St
   }
 }
 
-void fill_contact_balance(const Contact& contact, const State& state, bool deformable, postproc::Balance& balance) {
+// Forces and places of the points, in the order of the samples.
+void fill_contact_points(const Contact& contact, const State& state, bool deformable, postproc::RunResult& result) {
+  auto sample = result.samples.begin();
   for (const auto& point : contact.point_forces(state)) {
-    add_action(point.force, point.y, deformable, balance);
-    balance.contact_force += point.force.norm();
+    (sample++)->at = point.y;
+    add_action(point.force, point.y, deformable, result.balance);
+    result.balance.contact_force += point.force.norm();
   }
+}
+
+// What holds a node of the garment, by the residual r there: a prescribed entry c answers with r_c; an entry that is bound to
+// others of its node by u_c = sum of a_k u_k answers along the line that it holds, with r_c there and -a_k r_c in each k.
+Eigen::Vector3d hold_of(const Scene& scene, const Eigen::VectorXd& residual, int first) {
+  const Bound& bound = scene.numbering().bound();
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (int c = 0; c < 3; ++c) {
+    if (scene.numbering().unknown(first + c) >= 0) continue;
+    force[c] += residual[first + c];
+    const auto follows = bound.find(first + c);
+    if (follows == bound.end()) continue;
+    for (const Follow& of : follows->second) force[of.entry - first] -= of.weight * residual[first + c];
+  }
+  return force;
 }
 
 // Supports answer at prescribed entries: their force is the residual there.
 void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentMesh& garment, postproc::Balance& balance) {
   const Layout& layout = scene.layout();
   const Eigen::VectorXd residual = scene.full_residual(state);
-  const auto answer = [&](int first, int component, Eigen::Vector3d& sum) {  // `first`: the node's x entry
-    const Eigen::Vector3d force = residual[first + component] * Eigen::Vector3d::Unit(component);
+  const auto answer = [&](int first, const Eigen::Vector3d& force, Eigen::Vector3d& sum) {  // `first`: the node's x entry
     sum += force;
     balance.moment_error += Eigen::Vector3d(state.values.segment<3>(first)).cross(force);
   };
@@ -131,14 +165,13 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentM
   };
   for (const auto& [name, held] : scene.supports().held()) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const auto& [node, component] : held) answer(layout.body(node), component, sum);
+    for (const auto& [node, component] : held)
+      answer(layout.body(node), residual[layout.body(node, component)] * Eigen::Vector3d::Unit(component), sum);
     note(name, sum);
   }
   for (const auto& [name, nodes] : garment.edges) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : nodes)
-      for (int c = 0; c < 3; ++c)
-        if (scene.numbering().unknown(layout.garment(node, c)) < 0) answer(layout.garment(node), c, sum);
+    for (const int node : nodes) answer(layout.garment(node), hold_of(scene, residual, layout.garment(node)), sum);
     note(name + " edge", sum);
   }
   if (layout.body_nodes == 0) return;
@@ -174,14 +207,14 @@ void fill_foundation(const Shell& shell, const State& state, const Layout& layou
   if (total > 0.0) balance.reactions["foundation"] = sum;
 }
 
-// Mean over the touched skin and over the whole skin; radial means the skin's own reference normal.
+// Mean over the touched skin, hems and all, largest value beside the hems; radial means the skin's own reference normal.
 void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunResult& result) {
   double force = 0.0, area = 0.0;
   for (const auto& sample : result.samples)
     if (sample.touching) force += sample.force, area += sample.area;
   if (area > 0.0) result.numbers["mean_contact_pressure_Pa"] = force / area;
   if (!result.samples.empty()) {
-    result.numbers["max_contact_pressure_Pa"] =
+    result.numbers["max_contact_pressure_with_hems_Pa"] =
         *std::max_element(result.body.contact_pressure.begin(), result.body.contact_pressure.end());
     result.numbers["contact_area_m2"] = area;
   }
@@ -227,12 +260,13 @@ void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& b
   if (const auto* contact = scene.find<Contact>()) {
     fill_samples(*contact, *fabric, state, result.samples);
     fill_garment_pressure(*contact, *fabric, layout, state, garment, result.garment.contact_pressure);
-    fill_contact_balance(*contact, state, layout.body_nodes > 0, result.balance);
+    fill_contact_points(*contact, state, layout.body_nodes > 0, result);
     std::vector<Eigen::Vector3d> current = result.body.nodes;
     for (std::size_t i = 0; i < current.size(); ++i) current[i] += result.body.displacement[i];
     const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);
     result.body.contact_pressure = pressure.pressure;
     result.body.coverage = pressure.coverage;
+    result.numbers["max_contact_pressure_Pa"] = postproc::keep_hems_apart(body.mean_skin_cell, result);
     fill_friction(scene, state, garment, pressure, result);
   }
   fill_reactions(scene, state, garment, result.balance);

@@ -59,6 +59,7 @@ struct Progress {
   double load = 0.0, residual = 0.0; ///< s; relative residual
   int contact_nodes = 0;
   double elapsed = 0.0, expected = 0.0;  ///< s
+  int attempt = 1;                   ///< at this increment: 2 after one that failed and was cut
 };
 using Observer = std::function<void(const Progress&)>;
 

@@ -163,6 +163,7 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
       ProductSink sink(term->entries(), step, product);
       term->assemble(state, tangent, sink);
     }
+    numbering_.fold(product);
     for (int i = 0; i < layout_.size(); ++i)
       if (const int row = numbering_.unknown(i); row >= first && row < first + scatter_.rows()) right[row] -= product[i];
   }
@@ -170,6 +171,10 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   for (int i = 0; i < layout_.size(); ++i)
     if (const int row = numbering_.unknown(i) - first; row >= 0 && row < scatter_.rows())
       diagonal[row] += proximal * proximal_weights_[i];
+  for (const auto& [entry, follows] : numbering_.bound())
+    for (const Follow& to : follows)
+      if (const int row = numbering_.unknown(to.entry) - first; row >= 0 && row < scatter_.rows())
+        diagonal[row] += to.weight * to.weight * proximal * proximal_weights_[entry];
   scatter_.add_diagonal(diagonal);
   Eigen::VectorXd x;
   const LinearReport report = solver_.solve(scatter_, right, x, lag);
@@ -177,6 +182,7 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;
   for (int i = 0; i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
+  numbering_.spread(step);
   for (const auto& term : terms_) term->recover(state, step);
   return report;
 }

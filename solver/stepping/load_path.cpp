@@ -66,6 +66,7 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
         newton(scene, trial, increment_settings(path, last, failures), [&](postproc::Iteration row) {
           row.increment = increment;
           iterations = row.iteration;
+          row.attempt = failures + 1;
           sink(row);
         });
     if (outcome == Outcome::converged) {

@@ -9,6 +9,7 @@
 
 #include "solver/scene/friction_choice.hpp"
 #include "solver/scene/garment_cells.hpp"
+#include "solver/scene/guards.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/donning.hpp"
@@ -55,6 +56,8 @@ class Run {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     result_.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    if (!result_.garment.triangles.empty()) guard(case_, meshes_, result_), log_.phase("results");
+    result_.remedies = what_to_try(case_, meshes_, result_);
     return std::move(result_);
   }
 
@@ -106,6 +109,8 @@ class Run {
   bool accept(Scene& scene, const PathResult& path, const std::string& name) {
     log_.end_path(scene, path.increments, name);
     result_.status = path.complete ? "converged" : log_.increments() > 0 ? "partial" : "failed";
+    const double fraction = path.state.load < 1.0 ? path.state.load : path.reached;
+    result_.truth = {name, fraction, path.state.stiffening, 1.0 / path.state.release};
     if (!path.complete)
       result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", name, 100.0 * path.reached, path.message);
     ++stages_;
@@ -265,6 +270,7 @@ class Run {
   void finish_on_body(const Scene& scene, const PathResult& path, const Scene& rigid, const State& on_rigid) {
     if (!path.complete && path.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
+      result_.truth = {.stage = "rigid skin"};
       fill_result(rigid, on_rigid, meshes_.body, meshes_.garment, result_);
     } else {
       fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);

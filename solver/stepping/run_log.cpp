@@ -59,7 +59,7 @@ IterationSink RunLog::quiet(const std::string& name) {
 
 void RunLog::show(const std::string& name, const postproc::Iteration& row) const {
   if (observer_)
-    observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, seconds(), expected_});
+    observer_({name, row.increment, row.iteration, row.load, row.residual, row.contact_nodes, seconds(), expected_, row.attempt});
 }
 
 }  // namespace snug::solver

@@ -214,6 +214,36 @@ TEST(Page, SaysWhatIsMissing) {
   EXPECT_THAT(html, Not(HasSubstr("id=\"comfort\"")));
 }
 
+TEST(Page, TellsTheTruthAboutTheState) {
+  // Of a partial state: stage, fraction, stiffening, what to try and no comfort. Warnings with place and remedy, assumptions, friction,
+  // its spread, hems, gathered cloth and data stand on the page as the files have them.
+  const auto folder = fresh_folder("report-truth");
+  RunResult run = run_scene();
+  run.status = "partial";
+  run.truth = {.stage = "body, step by step", .fraction = 0.25, .stiffening = 12.0};
+  run.remedies = {"give contact.friction"};
+  run.assumptions = {"friction 0.31: textiles on dry skin"};
+  run.hems = {{.edge = "upper", .length = 0.5, .strip = 0.021, .force = 3.0, .line_load = 0.417}};
+  run.warnings = {{"gathered cloth", "23 % of the cloth lies in folds", "heights 10 to 20 mm", "hold both edges", "gathered_share", 0.23, 0.05}};
+  run.numbers = {{"max_contact_pressure_Pa", 321.0}, {"gathered_share", 0.23}, {"fabric_beyond_data_share", 0.41}, {"fabric_data_end", 0.246},
+                 {"fabric_largest_strain", 0.317}, {"max_shear_traction_Pa", 77.0}, {"slipping_share_of_contact", 0.52}};
+  run.balance.friction_force = 4.85;
+  run.donning = {{"friction on the tightened garment", 1.0, true, 266.0, 300.0}};
+  input::ComfortSpec trial;
+  trial.curves.name = "wear trial 2002";
+  write_results(run, evaluate(run, trial), folder);
+  const std::string html = page(folder, {});
+  for (const char* part : {"at 25.0 % of the stage &quot;body, step by step&quot;, the body 12 times as stiff as it is", "give contact.friction",
+                           "friction 0.31: textiles on dry skin", "0.417", "beside the hems", "23 % of the cloth lies in folds",
+                           "heights 10 to 20 mm", "hold both edges", "stretched by up to 31.7 %", "Slipping share", "4.85",
+                           "friction on the tightened garment"})
+    EXPECT_THAT(html, HasSubstr(part));
+  EXPECT_THAT(html, Not(HasSubstr("id=\"comfort\"")));
+  run.status = "converged";
+  write_results(run, evaluate(run, trial), folder);
+  EXPECT_THAT(page(folder, {}), HasSubstr("id=\"comfort\""));
+}
+
 TEST(Page, GarmentOrBodyMayBeLeftOut) {
   // A body alone and a garment alone have pages of their own.
   const auto folder = fresh_folder("report-alone");

@@ -149,6 +149,45 @@ TEST(Evaluate, WithoutAComfortSectionNothingIsRated) {
   EXPECT_FALSE(evaluation.comfort.has_value());
 }
 
+TEST(Evaluate, AStateShortOfTheAnswerIsNotJudged) {
+  // Its pressures are told; rating, class, threshold and comfort are not made of them, with the same data that rate an answer.
+  RunResult run = run_scene();
+  ASSERT_TRUE(evaluate(run, trial()).comfort.has_value());
+  run.status = "partial";
+  const Evaluation evaluation = evaluate(run, trial());
+  EXPECT_EQ(evaluation.locations[0].mean_pressure, 300.0);
+  EXPECT_FALSE(evaluation.comfort.has_value());
+  EXPECT_TRUE(evaluation.thresholds.empty());
+  for (const LocationRow& row : evaluation.locations) EXPECT_FALSE(row.rating.has_value());
+}
+
+TEST(Recorders, SummaryTellsWhatTheStateIsAndWarns) {
+  // Stage, fraction, stiffening of a partial state, what to try, assumptions, hems and every warning with its measure.
+  const auto out = fresh_folder("truth");
+  RunResult run = run_scene();
+  run.status = "partial";
+  run.truth = {.stage = "body, step by step", .fraction = 0.25, .stiffening = 12.0, .friction_bound = 8.0};
+  run.remedies = {"give contact.friction"};
+  run.assumptions = {"friction 0.3: textiles on dry skin"};
+  run.hems = {{.edge = "upper", .length = 0.5, .strip = 0.02, .force = 3.0, .line_load = 0.4}};
+  run.warnings = {{"gathered cloth", "20 % of the cloth lies in folds", "heights 10 to 20 mm", "hold both edges", "gathered_share", 0.2, 0.05}};
+  write_results(run, evaluate(run, trial()), out);
+  const auto json = nlohmann::json::parse(text_of(out / "summary.json"));
+  EXPECT_EQ(json["state"]["stage"], "body, step by step");
+  EXPECT_EQ(json["state"]["fraction"], 0.25);
+  EXPECT_EQ(json["state"]["body_stiffening"], 12.0);
+  EXPECT_EQ(json["state"]["friction_bound"], 8.0);
+  EXPECT_EQ(json["state"]["text"],
+            "at 25.0 % of the stage \"body, step by step\", the body 12 times as stiff as it is, friction bound to 8 times its coefficient");
+  EXPECT_EQ(json["what_to_try"][0], "give contact.friction");
+  EXPECT_EQ(json["assumptions"][0], "friction 0.3: textiles on dry skin");
+  EXPECT_EQ(json["hems"][0]["line_load_N_per_m"], 0.4);
+  EXPECT_EQ(json["warnings"][0]["quantity"], "gathered_share");
+  EXPECT_EQ(json["warnings"][0]["value"], 0.2);
+  EXPECT_EQ(json["warnings"][0]["remedy"], "hold both edges");
+  EXPECT_TRUE(json["comfort"].is_null());
+}
+
 TEST(Recorders, AFullSceneLeavesEveryFileAndNothingHalfWritten) {
   // Each recorder's file is there and no file written aside remains.
   const auto out = fresh_folder("full");

@@ -196,6 +196,44 @@ TEST_F(LinearSystem, AnUnsymmetricMatrixIsSolvedWhateverItsSkewPart) {
   }
 }
 
+// An entry that follows others of its element is eliminated as C^T K C and C^T r; what acts on it and what it does are the
+// transpose of each other, on entries that are prescribed too.
+TEST(SparseScatter, BoundEntriesAreEliminatedAndTheMatrixStaysSymmetric) {
+  // entry 2 = 0.3 of entry 0 and -0.8 of entry 1; entry 5 = 0.5 of entry 3, whose neighbour 4 is prescribed
+  const Numbering numbering({0, 1, -1, 3, -1, -1, 6}, {}, 1, {{2, {{0, 0.3}, {1, -0.8}}}, {5, {{3, 0.5}}}});
+  ASSERT_EQ(numbering.unknowns(), 4);
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(7, 4);
+  C(0, 0) = C(1, 1) = C(3, 2) = C(6, 3) = 1.0, C(2, 0) = 0.3, C(2, 1) = -0.8, C(5, 2) = 0.5;
+  ElementEntries elements;
+  elements.push(std::vector<int>{0, 1, 2, 3, 4, 5}), elements.push(std::vector<int>{6, 5, 3, 4}), elements.push(std::vector<int>{6, 6});
+  SparseScatter scatter;
+  scatter.build(numbering, {&elements}, 0, numbering.unknowns());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(7, 7);
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(7);
+  for (int e = 0; e < elements.elements(); ++e) {
+    const auto entries = elements.of(e);
+    const std::size_t n = entries.size();
+    Eigen::MatrixXd m = random_vector(n * n, 1.0, 100 + e).reshaped(n, n);
+    m = (m + m.transpose()).eval();
+    const Eigen::VectorXd r = random_vector(n, 1.0, e);
+    scatter.add(0, e, {r.data(), n}, {m.data(), n * n});
+    for (std::size_t i = 0; i < n; ++i) {
+      f[entries[i]] += r[i];
+      for (std::size_t j = 0; j < n; ++j) K(entries[i], entries[j]) += m(i, j);
+    }
+  }
+  EXPECT_LE((dense(scatter) - C.transpose() * K * C).norm(), 1e-14 * K.norm());
+  EXPECT_LE((dense(scatter) - dense(scatter).transpose()).norm(), 1e-15 * K.norm());
+  EXPECT_LE((scatter.residual() - C.transpose() * f).norm(), 1e-14 * f.norm());
+  Eigen::VectorXd step = C * random_vector(4, 1.0, 3), told = step, folded = f;
+  told[2] = told[5] = 7.0;
+  numbering.spread(told);
+  EXPECT_LE((told - step).norm(), 1e-15);
+  numbering.fold(folded);
+  EXPECT_EQ(folded[2], 0.0);
+  EXPECT_NEAR(folded.dot(step), f.dot(step), 1e-14);  // the same work
+}
+
 TEST(Numbering, EachRankOwnsAContiguousRangeAndSewnEntriesFollowTheirMaster) {
   const Numbering numbering({0, -1, 5, 0, 4, 5, 4}, {1, 0, 0, 0, 0, 1, 1}, 3);
   const std::vector<int> expected = {1, -1, 2, 1, 0, 2, 0};

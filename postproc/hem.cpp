@@ -1,0 +1,159 @@
+#include "postproc/hem.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "postproc/skin_pressure.hpp"
+
+namespace snug::postproc {
+namespace {
+
+using Point = Eigen::Vector3d;
+
+constexpr double divisions_of_an_edge = 24.0;
+constexpr double beside_an_edge = 3.0;  // to which distance, in its reach, the pressure is looked at
+
+/// An edge as a chain of straight pieces.
+class Chain {
+ public:
+  Chain(const GarmentEdge& edge, const std::vector<Point>& nodes) {
+    for (const auto& [a, middle, b] : edge.sides) pieces_.push_back({nodes[a], nodes[middle]}), pieces_.push_back({nodes[middle], nodes[b]});
+    for (const auto& [a, b] : pieces_) box_.extend(a), box_.extend(b), length_ += (b - a).norm();
+  }
+  double length() const { return length_; }
+  /// Distance of x, or `limit` where it is farther.
+  double distance(const Point& x, double limit) const {
+    double squared = limit * limit;
+    if (box_.squaredExteriorDistance(x) >= squared) return limit;
+    for (const auto& [a, b] : pieces_) {
+      const Point along = b - a;
+      const double t = std::clamp((x - a).dot(along) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
+      squared = std::min(squared, (x - a - t * along).squaredNorm());
+    }
+    return std::sqrt(squared);
+  }
+
+ private:
+  std::vector<std::pair<Point, Point>> pieces_;
+  Eigen::AlignedBox3d box_;
+  double length_ = 0.0;
+};
+
+/// The nearest edge within `limit` and its distance.
+struct Near {
+  int edge = -1;
+  double distance = 0.0;
+};
+Near nearest(const std::vector<Chain>& chains, const Point& x, double limit) {
+  Near near{-1, limit};
+  for (std::size_t e = 0; e < chains.size(); ++e)
+    if (const double d = chains[e].distance(x, near.distance); d < near.distance) near = {static_cast<int>(e), d};
+  return near;
+}
+
+/// Pressure over the distance from an edge, a straight line by least squares of force - area (p0 + slope d), weighted by area.
+class Slope {
+ public:
+  void add(double distance, double force, double area) {
+    area_ += area, moment_ += area * distance, second_ += area * distance * distance;
+    force_ += force, turned_ += force * distance;
+  }
+  /// The pressure at a distance.
+  double at(double distance) const {
+    if (!(area_ > 0.0)) return 0.0;
+    const double middle = moment_ / area_, spread = second_ - middle * moment_;
+    const double slope = spread > 1e-9 * second_ ? (turned_ - middle * force_) / spread : 0.0;
+    return std::max(0.0, force_ / area_ + slope * (distance - middle));
+  }
+
+ private:
+  double area_ = 0.0, moment_ = 0.0, second_ = 0.0, force_ = 0.0, turned_ = 0.0;
+};
+
+void fill_lines(const std::vector<Near>& near, RunResult& run) {
+  std::vector<Slope> beside(run.hems.size());
+  std::vector<double> area(run.hems.size(), 0.0), moment(run.hems.size(), 0.0);
+  for (std::size_t s = 0; s < run.samples.size(); ++s) {
+    const ContactSample& sample = run.samples[s];
+    const auto [edge, distance] = near[s];
+    if (edge < 0 || sample.facet < 0) continue;
+    if (distance < run.hems[edge].reach)
+      run.hems[edge].force += sample.force, area[edge] += sample.area, moment[edge] += sample.area * distance;
+    else if (distance < beside_an_edge * run.hems[edge].reach)
+      beside[edge].add(distance, sample.force, sample.area);
+  }
+  for (std::size_t e = 0; e < run.hems.size(); ++e) {
+    Hem& hem = run.hems[e];
+    const double explained = area[e] > 0.0 ? beside[e].at(moment[e] / area[e]) * area[e] : 0.0;
+    if (hem.length > 0.0) hem.line_load = (hem.force - explained) / hem.length;
+  }
+}
+
+/// Of the points beside the strips in facets with nodes in them.
+double largest_at_border(const std::vector<ContactSample>& inside, const BodyResult& body) {
+  double largest = 0.0;
+  for (const ContactSample& sample : inside) {
+    if (sample.facet < 0) continue;
+    const auto& facet = body.skin_facets[sample.facet];
+    const bool border = std::any_of(facet.begin(), facet.end(), [&](int n) { return n >= 0 && body.hem[n] == 1.0; });
+    if (border) largest = std::max(largest, field_at(body.skin_facets, sample, body.pressure_inside));
+  }
+  return largest;
+}
+
+double fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyResult& body) {
+  std::vector<Point> now = body.nodes;
+  for (std::size_t n = 0; n < now.size(); ++n) now[n] += body.displacement[n];
+  std::vector<ContactSample> inside = run.samples;
+  for (ContactSample& sample : inside)
+    if (sample.hem >= 0) sample.facet = -1;
+  body.pressure_inside = transfer(body.skin_facets, now.size(), now, inside).pressure;
+  body.hem.assign(now.size(), 0.0);
+  std::vector<char> skin(now.size(), 0);
+  for (const auto& facet : body.skin_facets)
+    for (const int node : facet)
+      if (node >= 0) skin[node] = 1;
+  double widest = 0.0;
+  for (const Hem& hem : run.hems) widest = std::max(widest, hem.strip);
+  for (std::size_t n = 0; n < now.size(); ++n) {
+    const Near near = skin[n] ? nearest(chains, now[n], widest) : Near{};
+    if (near.edge >= 0 && near.distance < run.hems[near.edge].strip) body.hem[n] = 1.0;
+  }
+  double largest = largest_at_border(inside, body);
+  for (std::size_t n = 0; n < now.size(); ++n) {
+    if (body.hem[n] == 1.0) body.pressure_inside[n] = 0.0;
+    largest = std::max(largest, body.pressure_inside[n]);
+  }
+  return largest;
+}
+
+}  // namespace
+
+double keep_hems_apart(double cell, RunResult& run) {
+  run.hems.clear();
+  if (run.samples.empty()) return 0.0;
+  std::vector<Chain> chains;
+  for (const GarmentEdge& edge : run.garment.edges) {
+    chains.emplace_back(edge, run.garment.current);
+    run.hems.push_back({edge.name, chains.back().length(), std::max(cell, chains.back().length() / divisions_of_an_edge)});
+  }
+  double depth = 0.0, widest = 0.0;
+  for (const Point& x : run.garment.current) depth = std::max(depth, nearest(chains, x, std::numeric_limits<double>::max()).distance);
+  for (Hem& hem : run.hems) {
+    hem.strip = std::min(hem.strip, 0.5 * depth), hem.reach = std::min(cell, hem.strip);
+    widest = std::max({widest, hem.strip, beside_an_edge * hem.reach});
+  }
+  std::vector<Near> near;
+  for (ContactSample& sample : run.samples) {
+    near.push_back(nearest(chains, sample.at, widest));
+    const auto [edge, distance] = near.back();
+    sample.hem = edge >= 0 && distance < run.hems[edge].strip ? edge : -1;
+  }
+  fill_lines(near, run);
+  return fill_body(chains, run, run.body);
+}
+
+}  // namespace snug::postproc

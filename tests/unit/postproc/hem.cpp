@@ -1,0 +1,157 @@
+#include "postproc/hem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "postproc/evaluate.hpp"
+#include "postproc/skin_pressure.hpp"
+
+namespace snug::postproc {
+namespace {
+
+constexpr double radius = 0.08, low = 0.05, high = 0.21;  ///< m; the sleeve covers low to high of a tube of 0.26 m
+constexpr double slope = 2000.0, bottom = 100.0;            ///< Pa/m, Pa: the pressure rises along the tube
+
+double pressure_at(double z) { return bottom + slope * (z - low); }
+
+Eigen::Vector3d on_tube(double turn, double z) {
+  const double angle = 2.0 * std::numbers::pi * turn;
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+/// A tube of `around` x `along` biquadratic facets.
+BodyResult tube(int around, int along) {
+  constexpr double height = 0.26;
+  BodyResult body;
+  for (int j = 0; j <= 2 * along; ++j)
+    for (int i = 0; i < 2 * around; ++i) body.nodes.push_back(on_tube(0.5 * i / around, height * j / (2 * along)));
+  for (int b = 0; b < along; ++b)
+    for (int a = 0; a < around; ++a) {
+      std::array<int, 9> facet;
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) facet[3 * j + i] = (2 * b + j) * 2 * around + (2 * a + i) % (2 * around);
+      body.skin_facets.push_back(facet);
+    }
+  body.displacement.assign(body.nodes.size(), Eigen::Vector3d::Zero());
+  body.locations = {"all", "the top"};
+  for (const auto& x : body.nodes) body.node_location.push_back(x.z() > high - 0.012 ? 1 : 0);
+  return body;
+}
+
+/// The sleeve on it: pressure everywhere and, at its upper edge, a line load (N/m) on the last row of points. The points are
+/// `fine` to a facet each way.
+RunResult worn(int around, int along, int fine, double line_load) {
+  RunResult run;
+  run.body = tube(around, along);
+  constexpr double height = 0.26;
+  const double cell = height / along;
+  for (int f = 0; f < around * along; ++f)
+    for (int c = 0; c < fine * fine; ++c) {
+      ContactSample s;
+      s.xi = -1.0 + (2.0 * (c % fine) + 1.0) / fine, s.eta = -1.0 + (2.0 * (c / fine) + 1.0) / fine;
+      const double z = (f / around + 0.5 * (s.eta + 1.0)) * cell;
+      if (z < low || z > high) continue;
+      s.facet = f, s.at = on_tube((f % around + 0.5 * (s.xi + 1.0)) / around, z);
+      const double width = 2.0 * std::numbers::pi * radius / (around * fine);  // of a point round the tube
+      s.area = width * cell / fine;
+      s.force = pressure_at(z) * s.area;
+      if (z > high - cell / fine) s.force += line_load * width;
+      s.touching = true;
+      run.samples.push_back(s);
+    }
+  auto& garment = run.garment;
+  const auto edge = [&](const char* name, double z) {
+    GarmentEdge edge{name, {}};
+    const int first = static_cast<int>(garment.current.size()), n = 8 * around;
+    for (int i = 0; i < n; ++i) garment.current.push_back(on_tube(double(i) / n, z));
+    for (int i = 0; i < n; i += 2) edge.sides.push_back({first + i, first + i + 1, first + (i + 2) % n});
+    garment.edges.push_back(edge);
+  };
+  edge("lower", low), edge("upper", high);
+  garment.current.push_back(on_tube(0.0, 0.5 * (low + high)));  // farthest from both
+  return run;
+}
+
+double cell_of(int around, int along) { return 0.5 * (2.0 * std::numbers::pi * radius / around + 0.26 / along); }
+
+// A line load of 5 N/m at one edge is told apart from a pressure that rises towards it: 5 N/m there and none at the other edge,
+// to a hundredth, whatever the mesh; the force within reach is both together.
+TEST(Hems, TheLineLoadIsWhatThePressureDoesNotExplain) {
+  for (const int around : {16, 24, 36, 48}) {
+    RunResult run = worn(around, around / 2, 8, 5.0);
+    keep_hems_apart(cell_of(around, around / 2), run);
+    ASSERT_EQ(run.hems.size(), 2u);
+    EXPECT_NEAR(run.hems[0].line_load, 0.0, 0.05) << around;
+    EXPECT_NEAR(run.hems[1].line_load, 5.0, 0.05) << around;
+    EXPECT_NEAR(run.hems[1].length, 2.0 * std::numbers::pi * radius, 1e-3) << around;
+    const double reach = run.hems[1].reach, mean = pressure_at(high - 0.5 * reach);
+    EXPECT_NEAR(run.hems[1].force / run.hems[1].length, 5.0 + mean * reach, 0.15 * mean * reach) << around;
+  }
+}
+
+// The largest pressure beside the hems does not know of a line load however fine the mesh is, while the complete field grows
+// with it; it is the pressure at the strip's border, which stands still from 24 cells round on.
+TEST(Hems, TheLargestPressureBesideThemDoesNotFollowTheMesh) {
+  double raw = 0.0;
+  for (const int around : {24, 36, 48}) {
+    RunResult run = worn(around, around / 2, 8, 5.0);
+    const double inside = keep_hems_apart(cell_of(around, around / 2), run);
+    const auto all = transfer(run.body.skin_facets, run.body.nodes.size(), run.body.nodes, run.samples).pressure;
+    const double largest = *std::max_element(all.begin(), all.end());
+    EXPECT_GT(largest, 1.2 * raw) << around;
+    raw = largest;
+    const double border = pressure_at(high - 2.0 * std::numbers::pi * radius / 24.0);
+    EXPECT_NEAR(inside, border, 0.03 * border) << around;
+  }
+}
+
+// A strip is one cell wide where cells are coarse, a 24th of the edge's length where they are fine, and leaves half of the depth of a
+// garment that is narrower than that.
+TEST(Hems, TheStripIsACellOrAFixedShareOfTheEdge) {
+  const double girth = 2.0 * std::numbers::pi * radius;
+  for (const auto& [cell, strip] : {std::pair{0.030, 0.030}, {0.005, girth / 24.0}, {0.100, 0.25 * (high - low)}}) {
+    RunResult run = worn(24, 12, 4, 0.0);
+    keep_hems_apart(cell, run);
+    EXPECT_NEAR(run.hems[0].strip, strip, 1e-3 * strip) << cell;
+  }
+}
+
+// Pressures of a location are those beside the hems, and say so; where all of its cover is a hem they are the hem's, and say that.
+TEST(Hems, LocationsLeaveThemOut) {
+  RunResult run = worn(24, 12, 8, 50.0);
+  keep_hems_apart(cell_of(24, 12), run);
+  run.body.contact_pressure = run.body.pressure_inside;  // the complete field has the line load at the top
+  run.body.coverage.assign(run.body.nodes.size(), 0.0);
+  for (std::size_t n = 0; n < run.body.nodes.size(); ++n) {
+    const double z = run.body.nodes[n].z();
+    if (z < low || z > high) continue;
+    run.body.coverage[n] = 1.0;
+    run.body.contact_pressure[n] = z > high - 0.02 ? 5000.0 : pressure_at(z);
+  }
+  const Evaluation evaluation = evaluate(run, std::nullopt);
+  EXPECT_EQ(evaluation.locations[0].pressures_of, "cover beside hems");
+  EXPECT_LT(evaluation.locations[0].max_pressure, pressure_at(high));
+  EXPECT_NEAR(evaluation.locations[0].mean_pressure, pressure_at(0.5 * (low + high)), 10.0);
+  EXPECT_EQ(evaluation.locations[1].pressures_of, "hem");
+  EXPECT_EQ(evaluation.locations[1].mean_pressure, 5000.0);
+}
+
+// Without contact nothing is marked, and a garment without named edges keeps all of its pressure.
+TEST(Hems, WithoutContactOrEdgesNothingIsLeftOut) {
+  RunResult run = worn(24, 12, 4, 5.0);
+  RunResult bare = run;
+  bare.samples.clear();
+  keep_hems_apart(0.01, bare);
+  EXPECT_TRUE(bare.hems.empty() && bare.body.hem.empty() && bare.body.pressure_inside.empty());
+  run.garment.edges.clear();
+  keep_hems_apart(0.01, run);
+  EXPECT_TRUE(run.hems.empty());
+  EXPECT_EQ(*std::max_element(run.body.hem.begin(), run.body.hem.end()), 0.0);
+  EXPECT_EQ(run.body.pressure_inside, transfer(run.body.skin_facets, run.body.nodes.size(), run.body.nodes, run.samples).pressure);
+}
+
+}  // namespace
+}  // namespace snug::postproc
