@@ -22,6 +22,7 @@ input::Case on_cone(double slope, int around = 16) {
   for (const double z : {0.0, 0.06, 0.12}) out << z << ", " << 2.0 * std::numbers::pi * (0.055 + slope * (z - 0.06)) << ", 0.1\n";
   c.garment->position = 0.020, c.garment->pattern.length = 0.080;
   c.garment->held = {{.edge = "upper", .held = "axis"}};
+  c.contact->friction = 0.0;
   return c;
 }
 
