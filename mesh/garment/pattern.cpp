@@ -24,6 +24,8 @@ int divisions(double length, double cell_size, int least) {
   return std::max(least, static_cast<int>(std::lround(length / cell_size)));
 }
 
+double rounded(double cells) { return std::round(1e6 * cells) / 1e6; }
+
 RectangleTags add_rectangle(double width, double length, double cell_size) {
   namespace geo = gmsh::model::geo;
   // Left and right both run upwards, so that gmsh divides them at the same heights; left comes first, so that its nodes
@@ -86,13 +88,16 @@ PatternMesh mesh_rectangle(double width, double length, double cell_size) {
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Algorithm", 5);  // Delaunay
   gmsh::model::add("pattern");
-  const RectangleTags tags = add_rectangle(width, length, cell_size);
+  // Lengths in cells, rounded, so that the same garment in other units has the same mesh and not one that round-off turned.
+  const double across = rounded(width / cell_size), along = rounded(length / cell_size);
+  const RectangleTags tags = add_rectangle(across, along, 1.0);
   gmsh::model::mesh::generate(2);
   gmsh::model::mesh::setOrder(2);
   PatternMesh pattern;
   const auto number = read_nodes(pattern);
   read_triangles(tags.surface, number, pattern);
   read_sides(tags, number, pattern);
+  for (Eigen::Vector2d& x : pattern.nodes) x = {x.x() / across * width, x.y() / along * length};
   return pattern;
 }
 

@@ -41,6 +41,7 @@ class Run {
   }
 
   postproc::RunResult operator()() {
+    assume();
     if (case_.garment) laplace();
     if (result_.tier == "L0")
       finish_laplace();
@@ -62,6 +63,15 @@ class Run {
   }
 
  private:
+  /// What the case leaves to the run.
+  void assume() {
+    const FrictionChoice friction = friction_choice(case_);
+    if (result_.tier == "L0" || friction.coefficient == 0.0) return;
+    if (!case_.contact->friction)
+      result_.assumptions.push_back(fmt::format("friction {:g} of the garment on the skin ({})", friction.coefficient, friction.source));
+    result_.assumptions.push_back("the way on: placed round the body, sticking while it tightens, then let go (contact.spread = true shows others)");
+  }
+
   void laplace() {
     const auto fabric = materials::find_fabric(case_.garment->fabric);
     const auto l0 = laplace_pressure(*case_.garment, fabric, meshes_.limb, meshes_.body);
@@ -161,8 +171,8 @@ class Run {
     State placed = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
     placed.release = 0.0;
     keep(rigid, placed, 0.0);
-    const PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("placed on the rigid skin"));
-    const bool tight = accept(rigid, path, "the garment as placed on the rigid skin");
+    const PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("tightening"));
+    const bool tight = accept(rigid, path, "tightening where it was placed");
     if (tight && worn_.contact->spread) add_spread(rigid, path.state);
     if (tight && result_.tier == "L4") {
       rigid.drop_matrix();  // the body needs the memory
@@ -193,7 +203,7 @@ class Run {
         follow_path(scene, sticking, letting_go(), vanishing ? on_the_way(skin) : settings(skin), log_.sink("let go"));
     const bool holds = accept(scene, path, "letting go");
     if (holds && vanishing) return without_any(scene, path.state, skin);
-    if (!holds) name_slipping(net);
+    if (!holds) name_coefficient(path.state), name_slipping(net);
     fill_result(scene, path.state, meshes_.body, meshes_.garment, result_);
     log_.phase("results");
   }
@@ -295,6 +305,14 @@ class Run {
   void name_slipping(const Push& net) {
     if (slides_freely(case_) && net.friction_needed > 0.9 * friction_choice(worn_).coefficient)
       fail(no_equilibrium(net, case_, meshes_.garment));
+  }
+
+  void name_coefficient(const State& held) {
+    if (held.release > 0.0)
+      result_.message += fmt::format("; what is reported is held by a coefficient of {:.2g}",
+                                     friction_choice(worn_).coefficient / held.release);
+    else
+      result_.message += "; what is reported sticks without a bound";
   }
 
   void name_sliding() {

@@ -100,7 +100,8 @@ TEST(FollowerPressure, PullsABarInEightIterationsAtEveryLoad) {
       led.hold("left", 0.0, {}, {}), led.hold("bottom", {}, 0.0, {}), led.hold("back", {}, {}, 0.0);
       held.hold("left", 0.0, 0.0, 0.0);
       const BlockAnswer a = solve(led, 1.0), b = solve(held, 1.0);
-      EXPECT_EQ(a.path.increments, 1), EXPECT_EQ(b.path.increments, 1);
+      EXPECT_EQ(a.path.increments, 1);
+      EXPECT_EQ(b.path.increments, 1);
       EXPECT_LE(iterations(a), 8) << to_string(kind) << " at " << ratio;
       EXPECT_LE(iterations(b), 8) << to_string(kind) << " at " << ratio;
       double l = 1.0;  // Newton's method on l^2 - 1/l
