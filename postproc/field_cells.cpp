@@ -11,14 +11,14 @@
 #include <vtkStaticCellLocator.h>
 #include <vtkStaticPointLocator.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+
+#include "postproc/vtu_file.hpp"
 
 namespace snug::postproc {
 
@@ -80,13 +80,8 @@ void add_components(NodalField& field, vtkPointData& data, const char* name, con
 
 NodalField read_grid(const std::filesystem::path& vtu, std::optional<ShellSurface> surface) {
   const input::Location where{vtu.string(), 0, 0};
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (!std::filesystem::is_regular_file(vtu) || !reader->CanReadFile(vtu.c_str()))
-    throw input::InputError(where, "this is no VTU file", "name a body_0000.vtu that snug wrote");
-  reader->SetFileName(vtu.c_str());
-  reader->Update();
   auto grid = std::make_unique<FieldCells::Grid>();
-  grid->cells = reader->GetOutput();
+  grid->cells = read_vtu(vtu);
   NodalField field;
   field.name = vtu.string();
   field.nodes.resize(grid->cells->GetNumberOfPoints());
@@ -157,12 +152,7 @@ void write_columns(const NodalField& field, const std::filesystem::path& vtu) {
     for (const double value : column.values) array->InsertNextValue(value);
     grid->GetPointData()->AddArray(array);
   }
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(vtu.c_str());
-  writer->SetInputData(grid);
-  writer->SetDataModeToAppended();
-  writer->SetCompressorTypeToZLib();
-  if (writer->Write() != 1) throw std::runtime_error("cannot write " + vtu.string());
+  write_vtu(*grid, vtu);
 }
 
 }  // namespace snug::postproc

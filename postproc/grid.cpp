@@ -14,18 +14,18 @@
 #include <vtkStringArray.h>
 #include <vtkTriQuadraticHexahedron.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <limits>
-#include <regex>
 #include <stdexcept>
 
+#include "cases/input/files.hpp"
 #include "postproc/stress.hpp"
+#include "postproc/vtu_file.hpp"
 
 namespace snug::postproc {
 namespace {
@@ -174,12 +174,7 @@ void check_sizes(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
 
 void write(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
   check_sizes(grid, vtu);
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(vtu.c_str());
-  writer->SetInputData(&grid);
-  writer->SetDataModeToAppended();
-  writer->SetCompressorTypeToZLib();
-  if (writer->Write() != 1) throw std::runtime_error("cannot write " + vtu.string());
+  write_vtu(grid, vtu);
 }
 
 }  // namespace
@@ -242,23 +237,49 @@ void write_surface(const SurfaceGrid& surface, const std::filesystem::path& vtu)
 }
 
 void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd) {
-  std::ofstream out(pvd);
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-         "  <Collection>\n";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+      "  <Collection>\n";
   for (const GridStep& step : steps)
-    out << fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", step.time,
-                       step.file.generic_string());
-  out << "  </Collection>\n</VTKFile>\n";
-  if (!out.flush()) throw std::runtime_error("cannot write " + pvd.string());
+    text += fmt::format("    <DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", step.time,
+                        step.file.generic_string());
+  input::write_file(pvd, text + "  </Collection>\n</VTKFile>\n");
 }
 
+namespace {
+
+/// The text in quotes after `name=`; empty where there is none.
+std::string attribute(const std::string& element, const std::string& name) {
+  const std::size_t at = element.find(" " + name + "=\"");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = at + name.size() + 3;
+  return element.substr(begin, element.find('"', begin) - begin);
+}
+
+/// A series names files of its own directory and below; what else it names is not opened.
+GridStep step_of(const std::string& element, const input::Location& where) {
+  const std::string time = attribute(element, "timestep"), file = attribute(element, "file");
+  GridStep step{0.0, std::filesystem::path(file).lexically_normal()};
+  const auto [rest, fault] = std::from_chars(time.data(), time.data() + time.size(), step.time);
+  if (fault != std::errc{} || rest != time.data() + time.size() || !std::isfinite(step.time))
+    throw input::InputError(where, "timestep=\"" + time + "\" is no number", "run the case again");
+  if (file.empty() || file.size() > 1000 || step.file.is_absolute() || *step.file.begin() == "..")
+    throw input::InputError(where, "file=\"" + file + "\" is no file beside the series", "run the case again");
+  return step;
+}
+
+}  // namespace
+
 std::vector<GridStep> read_series(const std::filesystem::path& pvd) {
-  std::ifstream in(pvd);
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
-  static const std::regex entry("<DataSet timestep=\"([^\"]*)\"[^>]*file=\"([^\"]*)\"");
+  if (!std::filesystem::exists(pvd)) return {};
+  const std::string text = input::read_file(pvd, {.most = std::uintmax_t{1} << 24});
   std::vector<GridStep> steps;
-  for (std::sregex_iterator it(text.begin(), text.end(), entry), end; it != end; ++it)
-    steps.push_back({std::stod((*it)[1]), (*it)[2].str()});
+  int line = 1;
+  for (std::size_t at = 0, seen = 0; (at = text.find("<DataSet ", at)) != std::string::npos; at = seen) {
+    line += static_cast<int>(std::count(text.begin() + static_cast<long>(seen), text.begin() + static_cast<long>(at), '\n'));
+    seen = std::min(text.find('>', at), text.size());
+    steps.push_back(step_of(text.substr(at, seen - at), {pvd.string(), line, 1}));
+  }
   return steps;
 }
 

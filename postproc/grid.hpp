@@ -39,7 +39,8 @@ void write_surface(const SurfaceGrid& surface, const std::filesystem::path& vtu)
 /// Writes the series file that ParaView opens.
 void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd);
 
-/// The steps of a series file in their order; none where there is no such file.
+/// The steps of a series file in their order; none where there is no such file. Throws input::InputError where it
+/// names no time, or a file elsewhere.
 std::vector<GridStep> read_series(const std::filesystem::path& pvd);
 
 }  // namespace snug::postproc

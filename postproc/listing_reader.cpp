@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <tuple>
 
+#include "cases/input/files.hpp"
 #include "postproc/listing_numbers.hpp"
 
 namespace snug::postproc {
@@ -311,10 +310,7 @@ std::vector<ListingTable> parse_listing(std::string_view text, const std::string
 }
 
 std::vector<ListingTable> read_listing(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw input::InputError({file.string(), 0, 0}, "there is no such file", "put it there or correct its name");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::string text = input::read_file(file);
   input::Diagnostics diagnostics;
   std::vector<ListingTable> tables = parse_listing(text, file.string(), diagnostics);
   if (tables.empty() && !diagnostics.any())

@@ -1,8 +1,8 @@
 #include "postproc/recorders.hpp"
 
-#include <fstream>
-#include <stdexcept>
+#include <sstream>
 
+#include "cases/input/files.hpp"
 #include "postproc/grid.hpp"
 #include "postproc/tables.hpp"
 
@@ -19,12 +19,12 @@ bool has_garment(const Record& record) { return !record.run.garment.triangles.em
 bool has_locations(const Record& record) { return !record.evaluation.locations.empty(); }
 bool has_comfort(const Record& record) { return record.evaluation.comfort.has_value(); }
 
-/// Calls `fill` with a stream to the file.
+/// Writes the file whole with what `fill` puts into a stream.
 template <class Fill>
 void write_text(const Path& file, Fill fill) {
-  std::ofstream out(file);
+  std::ostringstream out;
   fill(out);
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+  input::write_file(file, out.view());
 }
 
 /// The load parameter that the state has reached.
@@ -64,20 +64,10 @@ void summary(const Record& record, const Path& file) {
 }
 
 void write_one(const Recorder& recorder, const Record& record, const Path& out) {
-  const Path target = out / recorder.file;
-  if (!recorder.applies(record)) {
-    std::filesystem::remove(target);
-    return;
-  }
-  const Path aside = out / (recorder.file + ".part");
-  try {
-    recorder.write(record, aside);
-    std::filesystem::rename(aside, target);
-  } catch (...) {
-    std::error_code ignored;
-    std::filesystem::remove(aside, ignored);
-    throw;
-  }
+  if (recorder.applies(record))
+    recorder.write(record, out / recorder.file);
+  else
+    std::filesystem::remove(out / recorder.file);
 }
 
 }  // namespace

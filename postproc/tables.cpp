@@ -9,7 +9,10 @@
 
 namespace snug::postproc {
 
-std::string csv_cell(const std::string& text) {
+std::string csv_cell(const std::string& given) {
+  // A spreadsheet takes a cell that begins so for a formula and runs it.
+  const bool formula = !given.empty() && std::string("=+-@\t\r").find(given[0]) != std::string::npos;
+  const std::string text = formula ? "'" + given : given;
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (char c : text) {
@@ -58,11 +61,11 @@ void write_skin(std::ostream& out, const BodyResult& body) {
 }
 
 void write_history(std::ostream& out, const RunResult& run) {
-  out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,seconds,event\n";
+  out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,event\n";
   for (const Iteration& row : run.history)
-    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{:.9g},{:.3f},{}\n", row.increment, row.load,
+    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{:.9g},{}\n", row.increment, row.load,
                row.iteration, row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, row.energy,
-               row.seconds, csv_cell(row.event));
+               csv_cell(row.event));
 }
 
 }  // namespace snug::postproc

@@ -39,9 +39,10 @@ void write_locations(std::ostream& out, const Evaluation& evaluation);  ///< loc
 /// skin.csv: a row a node of the skin with its reference position, displacement, pressure and coverage;
 /// with friction also the traction of the garment on it and the slip (0 no contact, 1 sticks, 2 slips).
 void write_skin(std::ostream& out, const BodyResult& body);
-void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration
+void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration, without times: the same run gives the same bytes
 
-/// `text` in quotes where a comma, quote or line end in it asks for them.
+/// `text` in quotes where a comma, quote or line end in it asks for them, and behind an apostrophe where a spreadsheet would
+/// take it for a formula (it begins with = + - @).
 std::string csv_cell(const std::string& text);
 
 }  // namespace snug::postproc

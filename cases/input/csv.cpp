@@ -4,8 +4,9 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 
+#include "cases/input/files.hpp"
 #include "cases/input/suggestion.hpp"
 #include "cases/input/units.hpp"
 
@@ -120,9 +121,11 @@ Location Csv::place(std::size_t row, std::size_t column) const {
 
 Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as) {
   Csv csv{.file = shown_as.empty() ? path.string() : shown_as, .columns = {}, .rows = {}};
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
-    diagnostics.error({csv.file, 0, 0}, "there is no such file", "put it there or correct its name");
+  std::istringstream file;
+  try {
+    file.str(read_file(path, {.shown_as = csv.file, .most = std::uintmax_t{1} << 28}));
+  } catch (const InputError& error) {
+    for (const Diagnostic& one : error.errors()) diagnostics.error(one.where, one.found, one.remedy);
     return csv;
   }
   int number = 0;

@@ -12,7 +12,11 @@ namespace {
 
 /// Compares real places, so that a symbolic link does not lead out of the directory unseen.
 bool leaves(const fs::path& file, const fs::path& directory) {
-  const fs::path relative = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(directory));
+  std::error_code failed;  // a name too long, links in a circle: such a path leads nowhere
+  const fs::path real = fs::weakly_canonical(file, failed);
+  if (failed) return false;
+  const fs::path relative = real.lexically_relative(fs::weakly_canonical(directory, failed));
+  if (failed) return false;
   return relative.empty() || *relative.begin() == "..";
 }
 
@@ -35,7 +39,8 @@ fs::path resolve_path(const std::string& text, const Location& where, const Read
                       "copy the file into the case directory and name it from there, or give --allow-outside");
     return {};
   }
-  if (fs::is_regular_file(file)) return file;
+  std::error_code failed;
+  if (fs::is_regular_file(file, failed)) return file;
   const std::string near = nearest(file.filename().string(), names_beside(file));
   diagnostics.error(where, "there is no file \"" + text + "\" in the case directory",
                     near.empty() ? "put the file there or correct its name"

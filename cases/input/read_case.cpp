@@ -26,8 +26,9 @@ void check_files(const ComfortSpec& comfort, const ReadRules& rules, Diagnostics
 }
 
 Table parse_case(const fs::path& directory, Diagnostics& diagnostics) {
-  if (fs::is_directory(directory)) return parse_file(directory / "case.toml", diagnostics);
-  const bool is_file = fs::exists(directory);
+  std::error_code failed;
+  if (fs::is_directory(directory, failed)) return parse_file(directory / "case.toml", diagnostics);
+  const bool is_file = fs::exists(directory, failed);
   diagnostics.error({directory.string(), 0, 0},
                     is_file ? "this is a file, not a case directory" : "there is no such case directory",
                     is_file ? "name the directory that holds case.toml"

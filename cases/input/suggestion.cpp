@@ -28,8 +28,10 @@ int edit_distance(const std::string& a, const std::string& b) {
 
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
   std::string best;
+  if (name.size() > 100) return best;  // no name; the comparison would take long
   int best_distance = 1 + static_cast<int>(name.size()) / 2;  // farther than half the name is not what was meant
   for (const std::string& candidate : candidates) {
+    if (candidate.size() > 100) continue;
     const int distance = edit_distance(name, candidate);
     if (distance < best_distance) {
       best = candidate;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <regex>
 #include <sstream>
 #include <toml.hpp>
+
+#include "cases/input/files.hpp"
 
 namespace snug::input {
 
@@ -100,48 +100,86 @@ std::vector<std::string> split_lines(const std::string& text) {
 /// The parser's message without its drawing of the source line.
 std::string short_message(const std::string& what) {
   std::string message = what.substr(0, what.find('\n'));
-  message = std::regex_replace(message, std::regex(R"(^\[error\]\s*)"), "");
-  message = std::regex_replace(message, std::regex(R"(^[A-Za-z_:]+:\s+)"), "");  // the name of the parser's function
-  return std::regex_replace(message, std::regex(R"(\.?\s*$)"), "");
+  const std::string head = "[error]";
+  if (message.starts_with(head)) message.erase(0, head.size());
+  message.erase(0, message.find_first_not_of(" \t"));
+  const auto name = message.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_:");
+  if (name != std::string::npos && name > 1 && message[name - 1] == ':' && message[name] == ' ')  // the parser's function
+    message.erase(0, message.find_first_not_of(" \t", name));
+  const auto last = message.find_last_not_of(" \t.");
+  return last == std::string::npos ? std::string("wrong syntax") : message.substr(0, last + 1);
 }
 
-/// The parser recurses at every bracket and every dot of a key: a line that would overflow its stack is found before.
-/// Returns the number of that line, or 0. Strings and comments are told apart roughly; the limit is far beyond any
-/// case.
-int line_of_deep_nesting(const std::string& text) {
-  constexpr int deepest = 100;
-  int line = 1, brackets = 0, dots = 0;
-  char quote = 0;
-  bool comment = false;
-  for (const char c : text) {
-    if (c == '\n') {
-      ++line;
-      dots = 0;
-      comment = false;
-    } else if (comment) {
-      continue;
-    } else if (quote) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '#') {
-      comment = true;
-    } else {
-      brackets += (c == '[' || c == '{') - (c == ']' || c == '}');
-      dots += c == '.';
-      if (brackets > deepest || dots > 10 * deepest) return line;
+constexpr std::uintmax_t longest_text = 1 << 18;  ///< bytes; the parser looks for the place of a key from the beginning
+constexpr std::size_t longest_line = 20'000, deepest = 50, most_dots = 20;
+
+/// What stands at a place of a TOML document: the rough states of its grammar.
+class Outline {
+ public:
+  /// What is too much for the parser, which recurses at every bracket and every dot of a key; empty: nothing. Then `line` is
+  /// where.
+  std::string too_much(const std::string& text, int& line) {
+    line = 1;
+    for (std::size_t at = 0, begin = 0; at < text.size(); ++at) {
+      if (text[at] == '\n') {
+        ++line, begin = at + 1, dots_ = 0;
+        if (state_ == comment || state_ == basic || state_ == literal) state_ = outside;  // a text that is not closed is the parser's to report
+      } else if (at - begin > longest_line) {
+        return "a line of more than " + std::to_string(longest_line) + " characters";
+      } else {
+        at += step(text, at);
+      }
+      if (depth_ > deepest) return "brackets nested more than " + std::to_string(deepest) + " deep";
+      if (dots_ > most_dots) return "a key of more than " + std::to_string(most_dots) + " parts";
     }
+    return {};
   }
-  return 0;
-}
+
+ private:
+  enum State { outside, comment, basic, literal, long_basic, long_literal };
+
+  /// Characters beyond this one that belong to what stands here.
+  std::size_t step(const std::string& text, std::size_t at) {
+    const char c = text[at];
+    if (state_ == outside) return step_outside(text, at);
+    if (state_ == comment) return 0;
+    const bool escapes = state_ == basic || state_ == long_basic;
+    if (escapes && c == '\\' && at + 1 < text.size() && text[at + 1] != '\n') return 1;
+    const char quote = escapes ? '"' : '\'';
+    if (c != quote) return 0;
+    const bool is_long = state_ == long_basic || state_ == long_literal;
+    if (is_long && text.compare(at, 3, std::string(3, quote)) != 0) return 0;
+    state_ = outside;
+    return is_long ? 2 : 0;
+  }
+
+  std::size_t step_outside(const std::string& text, std::size_t at) {
+    const char c = text[at];
+    if (c == '#') state_ = comment;
+    if (c == '"' || c == '\'') {
+      const bool is_long = text.compare(at, 3, std::string(3, c)) == 0;
+      state_ = c == '"' ? (is_long ? long_basic : basic) : (is_long ? long_literal : literal);
+      return is_long ? 2 : 0;
+    }
+    if (c == '[' || c == '{') ++depth_;
+    if ((c == ']' || c == '}') && depth_ > 0) --depth_;
+    if (c == '=' || c == ',' || c == '[' || c == '{') dots_ = 0;
+    dots_ += c == '.';
+    return 0;
+  }
+
+  State state_ = outside;
+  std::size_t depth_ = 0, dots_ = 0;
+};
 
 /// Parses `text` (of which origin.prefix characters were added) and reports wrong syntax.
 Table parse(const std::string& text, Origin origin, Diagnostics& diagnostics) {
   origin.lines = split_lines(text);
   std::istringstream stream(text);
   const std::string remedy = "write it as TOML (https://toml.io): key = value, texts in quotes, sections in [brackets]";
-  if (const int line = line_of_deep_nesting(text)) {
-    diagnostics.error(origin.place(line, 1), "brackets or keys are nested too deeply", remedy);
+  int line = 0;
+  if (const std::string found = Outline().too_much(text, line); !found.empty()) {
+    diagnostics.error(origin.place(line, 1), found, remedy);
     return empty_table(origin.base);
   }
   try {
@@ -212,16 +250,17 @@ const double* Value::number(double& storage) const {
 
 Table parse_file(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as) {
   Location where{.file = shown_as.empty() ? path.string() : shown_as};
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) {
-    diagnostics.error(where, "there is no such file",
-                      "write it, or start from a shipped case with snug new NAME --like CASE");
+  std::string text;
+  try {
+    text = read_file(path, {.shown_as = where.file,
+                            .most = longest_text,
+                            .missing = "write it, or start from a shipped case with snug new NAME --like CASE"});
+  } catch (const InputError& error) {
+    for (const Diagnostic& one : error.errors()) diagnostics.error(one.where, one.found, one.remedy);
     return empty_table(where);
   }
-  std::ostringstream text;
-  text << file.rdbuf();
   where.line = where.column = 1;
-  return parse(text.str(), {.base = where}, diagnostics);
+  return parse(text, {.base = where}, diagnostics);
 }
 
 Table parse_text(const std::string& text, const Location& base, Diagnostics& diagnostics) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 #include <memory>
-#include <regex>
+#include <string>
 
 namespace snug::input {
 
@@ -25,15 +25,47 @@ ut_system* unit_system() {
   return system;
 }
 
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\v' || c == '\f' || c == '\r'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// One blank where there were several, none round a slash.
+std::string with_single_blanks(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (is_blank(c)) {
+      if (result.empty() || (result.back() != ' ' && result.back() != '/')) result += ' ';
+      continue;
+    }
+    if (c == '/' && !result.empty() && result.back() == ' ') result.pop_back();
+    result += c;
+  }
+  return result;
+}
+
+/// The word deg is degree.
+std::string with_degrees(const std::string& text) {
+  std::string result, word;
+  for (const char c : text + ' ') {
+    if (is_letter(c) || (c >= '0' && c <= '9')) {
+      word += c;
+      continue;
+    }
+    result += (word == "deg" ? "degree" : word) + c;
+    word.clear();
+  }
+  result.pop_back();
+  return result;
+}
+
+constexpr std::size_t longest_unit = 200;  // characters
+
 /// The user's spelling as udunits wants it: every product sign is a space, every minus and square a plain one.
 std::string plain(std::string unit) {
   const std::array<std::pair<const char*, const char*>, 8> spellings = {
       {{"·", " "}, {"×", " "}, {"*", " "}, {"−", "-"}, {"²", "2"}, {"³", "3"}, {"°", "degree"}, {"µ", "u"}}};
   for (const auto& [from, to] : spellings)
     for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, std::string(from).size(), to);
-  unit = std::regex_replace(unit, std::regex(R"(\bdeg\b)"), "degree");
-  unit = std::regex_replace(unit, std::regex(R"(\s*/\s*)"), "/");
-  return std::regex_replace(unit, std::regex(R"(\s+)"), " ");
+  return with_degrees(with_single_blanks(unit));
 }
 
 Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), plain(text).c_str(), UT_UTF8)); }
@@ -66,6 +98,7 @@ const std::array<Dimension, 13> dimensions = {{{"m", "a length", "0.57 mm"},
 
 bool unit_factor(const std::string& unit, const std::string& si_unit, double& factor) {
   const std::string name = trimmed(unit);
+  if (name.size() > longest_unit) return false;
   if (name.empty() || std::string("0123456789.+-").find(name[0]) != std::string::npos) {
     if (name.substr(0, 2) != "1/") return false;
   }

@@ -14,7 +14,11 @@ ForeignNodes::ForeignNodes(const Model& model, const input::BodySpec& spec, Body
 int ForeignNodes::node_of(int number) {
   const auto [it, fresh] = ours_.emplace(number, static_cast<int>(mesh_.nodes.size()));
   if (fresh) {
-    mesh_.nodes.push_back(place_.at(number));
+    const auto place = place_.find(number);
+    if (place == place_.end())
+      throw input::InputError({spec_.mesh.string(), 0, 0}, fmt::format("an element names node {}, which the file does not have", number),
+                              "give the node its place");
+    mesh_.nodes.push_back(place->second);
     mesh_.node_numbers.push_back(number);
     parents_.emplace_back();
   }

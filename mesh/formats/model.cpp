@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <unordered_set>
 
+#include "cases/input/files.hpp"
 #include "mesh/formats/fields.hpp"
 
 namespace snug::mesh {
@@ -132,10 +131,7 @@ bool is_model_file(const std::filesystem::path& file) {
 }
 
 Model read_model(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw input::InputError({file.string(), 0, 0}, "there is no such file", "put it there or correct its name");
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::string text = input::read_file(file);
   input::Diagnostics diagnostics;
   Model model = looks_like_calculix(text) ? parse_calculix(text, file.string(), diagnostics)
                                           : parse_apdl(text, file.string(), diagnostics);

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <string_view>
 
+#include "cases/input/files.hpp"
 #include "mesh/formats/triangle_surface.hpp"
 
 namespace snug::mesh {
@@ -195,12 +195,7 @@ TriangleSurface read_any(const std::string& content, const std::string& file) {
 
 TriangleSurface read_surface(const std::filesystem::path& path) {
   const std::string file = path.string();
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path))
-    throw InputError({file}, "there is no such file", "put it there or correct its name");
-  std::ostringstream content;
-  content << stream.rdbuf();
-  TriangleSurface surface = weld(read_any(content.str(), file));
+  TriangleSurface surface = weld(read_any(input::read_file(path), file));
   if (surface.triangles.empty())
     throw InputError({file}, "the file holds no triangles", "give a surface as OBJ, STL or v/f text");
   return surface;

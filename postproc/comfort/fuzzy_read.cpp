@@ -2,11 +2,10 @@
 #include <fl/Headers.h>
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <sstream>
 
+#include "cases/input/files.hpp"
 #include "postproc/comfort/fuzzy_file.hpp"
 #include "postproc/comfort/fuzzy_rule.hpp"
 
@@ -147,11 +146,7 @@ FuzzySystem read_fuzzy_text(const std::string& text, FuzzyFormat format, const s
 
 FuzzySystem read_fuzzy(const std::filesystem::path& file, const input::Location& where) {
   const FuzzyFormat format = fuzzy_format(file, where);
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw input::InputError(where, fmt::format("cannot read the fuzzy file {}", file.string()), "correct its name");
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  return read_fuzzy_text(text, format, file.string());
+  return read_fuzzy_text(input::read_file(file, {.most = std::uintmax_t{1} << 20}), format, file.string());
 }
 
 }  // namespace snug::postproc

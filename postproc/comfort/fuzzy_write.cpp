@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <stdexcept>
 
+#include "cases/input/files.hpp"
 #include "postproc/comfort/fuzzy_file.hpp"
 #include "postproc/comfort/fuzzy_rule.hpp"
 
@@ -162,9 +162,7 @@ std::string fis_text(const FuzzySystem& system) {
 
 void write_fuzzy(const FuzzySystem& system, const std::filesystem::path& file) {
   const std::string text = fuzzy_format(file) == FuzzyFormat::fll ? fll_text(system) : fis_text(system);
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + file.string());
+  input::write_file(file, text);
 }
 
 }  // namespace snug::postproc

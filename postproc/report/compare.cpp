@@ -179,7 +179,7 @@ Json maps_view(const Runs& runs) {
 
 }  // namespace
 
-std::string comparison_page(const std::vector<fs::path>& outs) {
+std::string comparison_page(const std::vector<fs::path>& outs) try {
   Runs runs;
   for (const fs::path& out : outs) runs.push_back(read_run(out));
   make_names_distinct(runs);
@@ -205,6 +205,8 @@ std::string comparison_page(const std::vector<fs::path>& outs) {
   view["comforts"] = comforts, view["has_comfort"] = !comforts.empty();
   view["maps"] = maps_view(runs), view["has_maps"] = !view["maps"].empty();
   return fill(comparison_template(), view, {{"map_svg", map_template()}});
+} catch (const Json::exception& error) {
+  throw not_as_written(outs.front(), error);
 }
 
 }  // namespace snug::postproc::report

@@ -13,8 +13,9 @@ constexpr double drawing_width = 760.0;  // px of the drawings without their lab
 
 }  // namespace
 
-std::string page(const std::filesystem::path& out, const Pictures& pictures) {
-  const RunFiles run = read_run(out);
+namespace {
+
+std::string page_of(const RunFiles& run, const Pictures& pictures) {
   const PressureScale scale = run.skin ? pressure_scale({&*run.skin}) : PressureScale{};
   Json view = run_view(run);
   view["locations"] = locations_view(run);
@@ -31,6 +32,17 @@ std::string page(const std::filesystem::path& out, const Pictures& pictures) {
   view["three"] = view["has_scene"] ? three_script() : "";
   view["script"] = view_script();
   return fill(page_template(), view, {{"map_svg", map_template()}});
+}
+
+}  // namespace
+
+std::string page(const std::filesystem::path& out, const Pictures& pictures) {
+  const RunFiles run = read_run(out);
+  try {
+    return page_of(run, pictures);
+  } catch (const Json::exception& error) {
+    throw not_as_written(out, error);
+  }
 }
 
 }  // namespace snug::postproc::report

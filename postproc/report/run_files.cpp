@@ -1,9 +1,9 @@
 #include "postproc/report/run_files.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <cmath>
 
 #include "cases/input/csv.hpp"
+#include "cases/input/files.hpp"
 #include "postproc/grid.hpp"
 
 namespace snug::postproc::report {
@@ -13,8 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return fs::exists(file) ? input::read_file(file) : std::string();
 }
 
 Json read_json(const fs::path& file) {
@@ -25,6 +24,9 @@ Json read_json(const fs::path& file) {
                             "run the case again");
   }
 }
+
+/// What a number outside of an int would become is not defined.
+int whole(double value) { return std::abs(value) < 2e9 ? static_cast<int>(value) : 0; }
 
 std::vector<HistoryRow> read_history(const fs::path& file) {
   if (!fs::exists(file)) return {};
@@ -37,8 +39,7 @@ std::vector<HistoryRow> read_history(const fs::path& file) {
   diagnostics.throw_if_any();
   std::vector<HistoryRow> rows;
   for (std::size_t n = 0; n < load.size(); ++n)
-    rows.push_back({static_cast<int>(increment[n]), load[n], residual[n], complementarity[n],
-                    static_cast<int>(contact[n]), event[n]});
+    rows.push_back({whole(increment[n]), load[n], residual[n], complementarity[n], whole(contact[n]), event[n]});
   return rows;
 }
 
@@ -54,6 +55,10 @@ std::string name_of(const fs::path& out) {
 }
 
 }  // namespace
+
+input::InputError not_as_written(const fs::path& out, const Json::exception& error) {
+  return {{(out / "summary.json").string(), 0, 0}, std::string("this or comfort.json is not as a run writes it: ") + error.what(), "run the case again"};
+}
 
 RunFiles read_run(const fs::path& out) {
   if (!fs::is_regular_file(out / "summary.json"))

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/input/diagnostics.hpp"
 #include "postproc/report/surfaces.hpp"
 
 namespace snug::postproc::report {
@@ -33,5 +34,8 @@ struct RunFiles {
 /// Reads summary.json and what there is beside it. Throws input::InputError when `out` is no result of a run or a file
 /// of it cannot be read.
 RunFiles read_run(const std::filesystem::path& out);
+
+/// What is said of a summary.json or comfort.json that is JSON and not as a run writes it.
+input::InputError not_as_written(const std::filesystem::path& out, const Json::exception& error);
 
 }  // namespace snug::postproc::report

@@ -54,7 +54,8 @@ std::string scene_json(const RunFiles& run, const PressureScale& scale) {
                        {"weft", reals(run.garment->tension_weft)},
                        {"wrinkled", reals(run.garment->wrinkled)}};
   std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
-  for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.replace(at, 2, "<\\/");
+  // Inside <script> a browser looks for </script and <!--, which changes what ends it; JSON may write < as its number.
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += 6) text.replace(at, 1, "\\u003c");
   return text;
 }
 

@@ -7,11 +7,11 @@
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLUnstructuredGridReader.h>
 
 #include <stdexcept>
 
 #include "cases/input/csv.hpp"
+#include "postproc/vtu_file.hpp"
 
 namespace snug::postproc::report {
 
@@ -19,22 +19,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-vtkSmartPointer<vtkUnstructuredGrid> read_grid(const fs::path& vtu) {
-  if (!fs::is_regular_file(vtu)) throw std::runtime_error(vtu.string() + " is not there");
-  vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(vtu.c_str());
-  reader->Update();
-  vtkSmartPointer<vtkUnstructuredGrid> grid = reader->GetOutput();
-  if (reader->GetErrorCode() != 0 || grid->GetNumberOfPoints() == 0)
-    throw std::runtime_error(vtu.string() + " cannot be read");
-  return grid;
-}
-
 /// Component c of every entry of a field; `entries` zeros where the file does not have it.
 std::vector<double> field(vtkFieldData& data, const char* name, vtkIdType entries, int component = 0) {
   std::vector<double> values(static_cast<std::size_t>(entries), 0.0);
   if (vtkDataArray* array = data.GetArray(name))
-    for (vtkIdType n = 0; n < entries; ++n) values[n] = array->GetComponent(n, component);
+    if (component < array->GetNumberOfComponents())
+      for (vtkIdType n = 0; n < entries; ++n) values[n] = array->GetComponent(n, component);
   return values;
 }
 
@@ -78,10 +68,15 @@ bool all_on_skin(vtkCell& facet, const std::vector<int>& local) {
   return true;
 }
 
-std::vector<int> skin_numbers(const fs::path& file) {
+/// The column `node`, every number one of the grid's.
+std::vector<int> skin_numbers(const fs::path& file, vtkIdType count) {
   input::Diagnostics diagnostics;
   const input::Csv csv = input::read_csv(file, diagnostics);
   const std::vector<double> numbers = input::numbers(csv, "node", "", diagnostics);
+  for (std::size_t r = 0; r < numbers.size(); ++r)
+    if (!(numbers[r] >= 1.0 && numbers[r] <= static_cast<double>(count)))
+      diagnostics.error({file.string(), csv.rows[r].line, 1}, "node " + csv.rows[r].cells[csv.find("node")] + " is none of the grid's " + std::to_string(count),
+                        "run the case again");
   diagnostics.throw_if_any();
   return {numbers.begin(), numbers.end()};
 }
@@ -103,11 +98,11 @@ std::vector<Value> chosen(const std::vector<Value>& all, const std::vector<int>&
 }  // namespace
 
 Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
-  const auto grid = read_grid(vtu);
+  const auto grid = read_vtu(vtu);
   const vtkIdType count = grid->GetNumberOfPoints();
   vtkPointData& data = *grid->GetPointData();
   Skin skin;
-  skin.numbers = skin_numbers(skin_csv);
+  skin.numbers = skin_numbers(skin_csv, count);
   std::vector<int> local(static_cast<std::size_t>(count), -1);
   for (std::size_t n = 0; n < skin.numbers.size(); ++n) local.at(skin.numbers[n] - 1) = static_cast<int>(n);
   skin.nodes = chosen(points(*grid), skin.numbers);
@@ -117,8 +112,9 @@ Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
   skin.coverage = chosen(field(data, "coverage", count), skin.numbers);
   skin.locations = names(*grid->GetFieldData(), "location_names");
   const auto location = field(data, "location", count);
+  const auto known = [&](double l) { return l >= 0.0 && l < static_cast<double>(skin.locations.size()); };
   for (const int number : skin.numbers)
-    skin.location.push_back(skin.locations.empty() ? -1 : static_cast<int>(location[number - 1]));
+    skin.location.push_back(known(location[number - 1]) ? static_cast<int>(location[number - 1]) : -1);
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
     vtkCell& cell = *grid->GetCell(c);
     if (cell.GetCellDimension() == 2) add_facet(cell, local, skin.triangles);
@@ -129,7 +125,7 @@ Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
 }
 
 Garment read_garment(const fs::path& vtu) {
-  const auto grid = read_grid(vtu);
+  const auto grid = read_vtu(vtu);
   const vtkIdType count = grid->GetNumberOfPoints(), cells = grid->GetNumberOfCells();
   Garment garment;
   garment.nodes = points(*grid);
