@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gmsh.h>
 
 #include <Eigen/LU>
 
@@ -13,7 +12,7 @@
 #include <unordered_map>
 
 #include "mesh/body/import_shell.hpp"
-#include "mesh/formats/gmsh_session.hpp"
+#include "mesh/formats/gmsh_file.hpp"
 
 namespace snug::mesh {
 
@@ -22,49 +21,12 @@ namespace {
 using input::InputError;
 
 // gmsh's numbers of element types (its reference manual, "MSH file format").
-enum GmshType { tet4 = 4, hex8 = 5, tet10 = 11, hex27 = 12, hex20 = 17 };
+enum GmshCell { tet4 = 4, hex8 = 5, tet10 = 11, hex27 = 12, hex20 = 17 };
 
-struct Group {
-  std::string name;
-  int dimension, tag;
-};
-
-std::vector<Group> physical_groups() {
-  gmsh::vectorpair pairs;
-  gmsh::model::getPhysicalGroups(pairs);
-  std::vector<Group> groups;
-  for (const auto& [dimension, tag] : pairs) {
-    Group group{"", dimension, tag};
-    gmsh::model::getPhysicalName(dimension, tag, group.name);
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
-std::vector<int> entities(const Group& group) {
-  std::vector<int> tags;
-  gmsh::model::getEntitiesForPhysicalGroup(group.dimension, group.tag, tags);
-  return tags;
-}
-
-/// A file without cells is a geometry.
-void mesh_geometry(const input::BodySpec& spec) {
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
-  if (!types.empty()) return;
-  try {
-    gmsh::model::mesh::generate(3);
-  } catch (const std::runtime_error& error) {
-    throw InputError(spec.where, fmt::format("gmsh cannot mesh {}: {}", spec.mesh.string(), error.what()),
-                     "mesh it in gmsh's window, where the place is shown");
-  }
-}
-
-/// What the file holds decides the kind, together with body.elements; raises straight cells to second order.
-CellKind prepare_kind(const input::BodySpec& spec) {
+/// What the file holds decides the kind, together with body.elements; straight cells have been raised to second order.
+CellKind kind_of(const input::BodySpec& spec, const GmshMesh& mesh) {
   const std::string file = spec.mesh.string();
-  std::vector<int> types;
-  gmsh::model::mesh::getElementTypes(types, 3);
+  const std::vector<int> types = mesh.types_of(3);
   if (types.empty())
     throw InputError(spec.where, file + " has no cells",
                      "save the volumes too: gmsh -3, with physical volumes; or give a geometry (.geo) that has volumes");
@@ -77,13 +39,7 @@ CellKind prepare_kind(const input::BodySpec& spec) {
                      "save complete ones: Mesh.SecondOrderIncomplete = 0 in gmsh");
   if (present.size() > 1 || !(only({tet4, tet10}) || only({hex8, hex27}))) {
     std::vector<std::string> names;
-    for (const int type : present) {
-      std::string name;
-      int dimension, order, nodes, primary;
-      std::vector<double> local;
-      gmsh::model::mesh::getElementProperties(type, name, dimension, order, nodes, local, primary);
-      names.push_back(name);
-    }
+    for (const int type : present) names.push_back(mesh.type(type).name);
     throw InputError(spec.where, fmt::format("{} has cells of the kinds {}", file, fmt::join(names, ", ")),
                      "mesh the body with hexahedra only or with tetrahedra only");
   }
@@ -93,42 +49,36 @@ CellKind prepare_kind(const input::BodySpec& spec) {
     throw InputError(spec.where, file + " has tetrahedra, which cannot be Q1/P0", "leave elements out, or write \"P2/P1\"");
   if (!tetrahedra && spec.elements == "P2/P1")
     throw InputError(spec.where, file + " has hexahedra, which cannot be P2/P1", "leave elements out, or write \"Q1/P0\"");
-  if (spec.elements == "Q1/P0") {
-    if (type == hex27) gmsh::model::mesh::setOrder(1);
-    return CellKind::hex8;
-  }
-  if (type == tet4 || type == hex8) gmsh::model::mesh::setOrder(2);
+  if (spec.elements == "Q1/P0") return CellKind::hex8;
   return tetrahedra ? CellKind::tet10 : CellKind::hex27;
 }
 
 int gmsh_type(CellKind kind) { return kind == CellKind::hex27 ? hex27 : kind == CellKind::hex8 ? hex8 : tet10; }
 
 /// Where node a of ours stands among gmsh's, by the coordinates on the reference cell.
-std::vector<int> gmsh_order(CellKind kind) {
-  std::string name;
-  int dimension, order, nodes, primary;
-  std::vector<double> local;
-  gmsh::model::mesh::getElementProperties(gmsh_type(kind), name, dimension, order, nodes, local, primary);
+std::vector<int> gmsh_order(CellKind kind, const GmshMesh& mesh) {
+  const GmshType& type = mesh.type(gmsh_type(kind));
+  const std::vector<double>& local = type.local;
   std::vector<int> place;
   for (Eigen::Vector3d r : reference_nodes(kind)) {
     if (kind != CellKind::tet10) r = 2.0 * r - Eigen::Vector3d::Ones();  // gmsh's cube is [-1, 1]^3
     int n = 0;
-    while ((Eigen::Vector3d(local[3 * n], local[3 * n + 1], local[3 * n + 2]) - r).norm() > 1e-6) ++n;
+    while (n + 1 < type.nodes && (Eigen::Vector3d(local[3 * n], local[3 * n + 1], local[3 * n + 2]) - r).norm() > 1e-6) ++n;
     place.push_back(n);
   }
   return place;
 }
 
-/// The mesh while it is read: gmsh's node and cell tags beside ours.
+/// The mesh while it is taken over: gmsh's node and cell tags beside ours.
 class Import {
  public:
-  explicit Import(const input::BodySpec& spec) : spec_(spec), groups_(physical_groups()) {
-    mesh_.kind = prepare_kind(spec);
+  Import(const input::BodySpec& spec, const GmshMesh& file) : spec_(spec), file_(file) {
+    mesh_.kind = kind_of(spec, file);
     read_coordinates();
     for (const input::LayerSpec& layer : spec.layers) read_layer(layer);
     check_volumes();
     check_cells();
-    for (const Group& group : groups_)
+    for (const GmshGroup& group : file_.groups)
       if (group.dimension < 3) read_surface(group);
     hold_bone();
     if (const Surface* skin = mesh_.surface("skin")) mesh_.skin_facets = skin->facets;
@@ -139,15 +89,12 @@ class Import {
 
  private:
   void read_coordinates() {
-    std::vector<std::size_t> tags;
-    std::vector<double> x, parameters;
-    gmsh::model::mesh::getNodes(tags, x, parameters);
-    for (std::size_t n = 0; n < tags.size(); ++n)
-      position_[tags[n]] = spec_.unit * Eigen::Vector3d(x[3 * n], x[3 * n + 1], x[3 * n + 2]);
+    for (std::size_t n = 0; n < file_.node_tags.size(); ++n)
+      position_[file_.node_tags[n]] = spec_.unit * Eigen::Vector3d(file_.x[3 * n], file_.x[3 * n + 1], file_.x[3 * n + 2]);
   }
 
-  const Group* volume(const std::string& name) const {
-    for (const Group& group : groups_)
+  const GmshGroup* volume(const std::string& name) const {
+    for (const GmshGroup& group : file_.groups)
       if (group.dimension == 3 && group.name == name) return &group;
     return nullptr;
   }
@@ -157,50 +104,49 @@ class Import {
       mesh_.membranes.push_back({layer.name, layer.material, *layer.thickness});
       return;
     }
-    const Group* group = volume(layer.name);
+    const GmshGroup* group = volume(layer.name);
     if (layer.form == "rigid") {
       rigid_ = layer.name, rigid_where_ = layer.where;
-      if (group) rigid_tags_ = nodes_of(*group);
+      if (group) rigid_tags_ = group->nodes;
       return;
     }
     if (!group) {
       std::vector<std::string> names;
-      for (const Group& g : groups_)
+      for (const GmshGroup& g : file_.groups)
         if (g.dimension == 3) names.push_back(g.name);
       throw InputError(layer.where, fmt::format("{} has no physical volume \"{}\"", spec_.mesh.string(), layer.name),
                        fmt::format("its physical volumes are: {}", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
     }
-    const std::vector<int> order = gmsh_order(mesh_.kind);
-    for (const int entity : entities(*group)) {
-      std::vector<std::size_t> elements, nodes;
-      gmsh::model::mesh::getElementsByType(gmsh_type(mesh_.kind), elements, nodes, entity);
-      for (std::size_t e = 0; e < elements.size(); ++e) {
-        CellNodes cell;
-        cell.fill(-1);
-        for (std::size_t a = 0; a < order.size(); ++a) cell[a] = number(nodes[e * order.size() + order[a]]);
-        mesh_.cells.push_back(cell);
-        mesh_.cell_layer.push_back(static_cast<int>(mesh_.layers.size()));
-        cell_tag_.push_back(elements[e]);
-      }
-    }
+    const std::vector<int> order = gmsh_order(mesh_.kind, file_);
+    for (const GmshElements& elements : file_.elements)
+      if (elements.dimension == 3 && std::count(group->entities.begin(), group->entities.end(), elements.entity) > 0) add_cells(elements, order);
     mesh_.layers.push_back({layer.name, layer.material});
   }
 
-  int number(std::size_t tag) {
+  void add_cells(const GmshElements& elements, const std::vector<int>& order) {
+    const auto nodes = static_cast<std::size_t>(file_.type(elements.type).nodes);
+    for (std::size_t e = 0; e < elements.tags.size(); ++e) {
+      CellNodes cell;
+      cell.fill(-1);
+      for (std::size_t a = 0; a < order.size(); ++a) cell[a] = number(elements.nodes[e * nodes + order[a]]);
+      mesh_.cells.push_back(cell);
+      mesh_.cell_layer.push_back(static_cast<int>(mesh_.layers.size()));
+      cell_tag_.push_back(elements.tags[e]);
+    }
+  }
+
+  int number(std::uint64_t tag) {
     const auto [it, fresh] = number_.emplace(tag, static_cast<int>(mesh_.nodes.size()));
-    if (fresh) mesh_.nodes.push_back(position_.at(tag));
+    if (!fresh) return it->second;
+    const auto position = position_.find(tag);
+    if (position == position_.end())
+      throw InputError({spec_.mesh.string(), 0, 0}, fmt::format("a cell names node {}, which the file does not have", tag), "save the mesh again from gmsh");
+    mesh_.nodes.push_back(position->second);
     return it->second;
   }
 
-  std::vector<std::size_t> nodes_of(const Group& group) const {
-    std::vector<std::size_t> tags;
-    std::vector<double> coordinates;
-    gmsh::model::mesh::getNodesForPhysicalGroup(group.dimension, group.tag, tags, coordinates);
-    return tags;
-  }
-
   void check_volumes() const {
-    for (const Group& group : groups_) {
+    for (const GmshGroup& group : file_.groups) {
       const auto named = [&](const input::LayerSpec& layer) { return layer.name == group.name; };
       if (group.dimension == 3 && std::none_of(spec_.layers.begin(), spec_.layers.end(), named))
         throw InputError(spec_.where,
@@ -223,10 +169,10 @@ class Import {
     }
   }
 
-  void read_surface(const Group& group) {
+  void read_surface(const GmshGroup& group) {
     Surface surface{group.name, {}, {}};
     std::vector<char> keep(mesh_.nodes.size(), 0);
-    for (const std::size_t tag : nodes_of(group))
+    for (const std::uint64_t tag : group.nodes)
       if (const auto it = number_.find(tag); it != number_.end()) {
         surface.nodes.push_back(it->second);
         keep[it->second] = 1;
@@ -238,7 +184,7 @@ class Import {
 
   void hold_bone() {
     if (rigid_.empty()) return;
-    for (const std::size_t tag : rigid_tags_)
+    for (const std::uint64_t tag : rigid_tags_)
       if (const auto it = number_.find(tag); it != number_.end()) mesh_.bone_nodes.push_back(it->second);
     if (const Surface* bone = mesh_.surface(rigid_); bone && rigid_tags_.empty()) mesh_.bone_nodes = bone->nodes;
     if (mesh_.bone_nodes.empty())
@@ -262,10 +208,10 @@ class Import {
   }
 
   const input::BodySpec& spec_;
-  std::vector<Group> groups_;
-  std::unordered_map<std::size_t, Eigen::Vector3d> position_;
-  std::unordered_map<std::size_t, int> number_;
-  std::vector<std::size_t> cell_tag_, rigid_tags_;
+  const GmshMesh& file_;
+  std::unordered_map<std::uint64_t, Eigen::Vector3d> position_;
+  std::unordered_map<std::uint64_t, int> number_;
+  std::vector<std::uint64_t> cell_tag_, rigid_tags_;
   std::string rigid_;
   input::Location rigid_where_;
   BodyMesh mesh_;
@@ -273,20 +219,15 @@ class Import {
 
 }  // namespace
 
-BodyMesh import_body_mesh(const input::BodySpec& spec) {
-  const GmshSession session;
-  try {
-    gmsh::open(spec.mesh.string());
-  } catch (const std::runtime_error& error) {
-    throw InputError(spec.where, fmt::format("gmsh cannot read {}: {}", spec.mesh.string(), error.what()),
-                     "save it from gmsh as a .msh file of version 4");
-  }
-  mesh_geometry(spec);
-  const auto shell = [](const input::LayerSpec& layer) { return layer.form == "shell"; };
-  if (std::any_of(spec.layers.begin(), spec.layers.end(), shell)) return import_shell(spec);
+BodyMesh import_body_mesh(const input::BodySpec& spec, GmshOptions options) {
+  const auto is_shell = [](const input::LayerSpec& layer) { return layer.form == "shell"; };
+  const bool shell = std::any_of(spec.layers.begin(), spec.layers.end(), is_shell);
+  if (!shell) options.order = spec.elements == "Q1/P0" ? GmshOrder::linear : GmshOrder::quadratic;
+  const GmshMesh file = read_gmsh_file(spec.mesh, options);
+  if (shell) return import_shell(spec, file);
   if (spec.layers.empty())
     throw InputError(spec.where, "the body has no layers", "name the physical volumes of " + spec.mesh.string() + " in body.layers");
-  return Import(spec).take();
+  return Import(spec, file).take();
 }
 
 }  // namespace snug::mesh

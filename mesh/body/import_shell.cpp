@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,7 @@ const std::map<int, ElementKind>& surface_types() {
 
 class ShellImport {
  public:
-  explicit ShellImport(const input::BodySpec& spec) : spec_(spec) {
+  ShellImport(const input::BodySpec& spec, const GmshMesh& file) : spec_(spec), file_(file) {
     read_nodes();
     for (const input::LayerSpec& layer : spec.layers) read_layer(layer);
     read_sets();
@@ -33,11 +32,8 @@ class ShellImport {
 
  private:
   void read_nodes() {
-    std::vector<std::size_t> tags;
-    std::vector<double> x, parameters;
-    gmsh::model::mesh::getNodes(tags, x, parameters);
-    for (std::size_t n = 0; n < tags.size(); ++n)
-      model_.nodes.push_back({static_cast<int>(tags[n]), {x[3 * n], x[3 * n + 1], x[3 * n + 2]}});
+    for (std::size_t n = 0; n < file_.node_tags.size(); ++n)
+      model_.nodes.push_back({static_cast<int>(file_.node_tags[n]), {file_.x[3 * n], file_.x[3 * n + 1], file_.x[3 * n + 2]}});
     std::sort(model_.nodes.begin(), model_.nodes.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
   }
 
@@ -51,67 +47,49 @@ class ShellImport {
     model_.sections.push_back({*layer.thickness / spec_.unit, layer.foundation * std::pow(spec_.unit, 3) / spec_.force_unit});
     std::vector<std::string> names;
     bool found = false;
-    for (const auto& [dimension, tag] : groups(2)) {
-      std::string name;
-      gmsh::model::getPhysicalName(dimension, tag, name);
-      names.push_back(name);
-      if (name == layer.name) found = true, read_elements(tag, layer);
+    for (const GmshGroup& group : file_.groups) {
+      if (group.dimension != 2) continue;
+      names.push_back(group.name);
+      if (group.name == layer.name) found = true, read_elements(group, layer);
     }
     if (!found)
       throw InputError(layer.where, fmt::format("{} has no physical surface \"{}\"", spec_.mesh.string(), layer.name),
                        fmt::format("its physical surfaces are: {}", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
   }
 
-  void read_elements(int group, const input::LayerSpec& layer) {
-    std::vector<int> entities;
-    gmsh::model::getEntitiesForPhysicalGroup(2, group, entities);
-    for (const int entity : entities) {
-      std::vector<int> types;
-      gmsh::model::mesh::getElementTypes(types, 2, entity);
-      for (const int type : types) {
-        const auto kind = surface_types().find(type);
-        if (kind == surface_types().end())
-          throw InputError(layer.where, fmt::format("the surface \"{}\" has elements of gmsh's type {}", layer.name, type),
-                           "mesh it with triangles or quadrilaterals of first or (incomplete) second order");
-        std::vector<std::size_t> elements, nodes;
-        gmsh::model::mesh::getElementsByType(type, elements, nodes, entity);
-        const int count = node_count(kind->second);
-        for (std::size_t e = 0; e < elements.size(); ++e) {
-          ModelElement element{static_cast<int>(elements[e]), kind->second, {}, static_cast<int>(model_.materials.size()) - 1,
-                               static_cast<int>(model_.sections.size()) - 1};
-          for (int n = 0; n < count; ++n) element.nodes.push_back(static_cast<int>(nodes[count * e + n]));
-          model_.elements.push_back(std::move(element));
-        }
+  void read_elements(const GmshGroup& group, const input::LayerSpec& layer) {
+    for (const GmshElements& elements : file_.elements) {
+      if (elements.dimension != 2 || std::count(group.entities.begin(), group.entities.end(), elements.entity) == 0) continue;
+      const auto kind = surface_types().find(elements.type);
+      if (kind == surface_types().end())
+        throw InputError(layer.where, fmt::format("the surface \"{}\" has elements of gmsh's type {}", layer.name, elements.type),
+                         "mesh it with triangles or quadrilaterals of first or (incomplete) second order");
+      const int count = node_count(kind->second);
+      for (std::size_t e = 0; e < elements.tags.size(); ++e) {
+        ModelElement element{static_cast<int>(elements.tags[e]), kind->second, {}, static_cast<int>(model_.materials.size()) - 1,
+                             static_cast<int>(model_.sections.size()) - 1};
+        for (int n = 0; n < count; ++n) element.nodes.push_back(static_cast<int>(elements.nodes[count * e + n]));
+        model_.elements.push_back(std::move(element));
       }
     }
   }
 
   void read_sets() {
-    for (const int dimension : {0, 1, 2})
-      for (const auto& [d, tag] : groups(dimension)) {
-        std::string name;
-        gmsh::model::getPhysicalName(d, tag, name);
-        std::vector<std::size_t> tags;
-        std::vector<double> x;
-        gmsh::model::mesh::getNodesForPhysicalGroup(d, tag, tags, x);
-        auto& set = model_.node_sets[name];
-        for (const std::size_t node : tags) set.push_back(static_cast<int>(node));
-        std::sort(set.begin(), set.end());
-      }
-  }
-
-  static gmsh::vectorpair groups(int dimension) {
-    gmsh::vectorpair pairs;
-    gmsh::model::getPhysicalGroups(pairs, dimension);
-    return pairs;
+    for (const GmshGroup& group : file_.groups) {
+      if (group.dimension > 2) continue;
+      auto& set = model_.node_sets[group.name];
+      for (const std::uint64_t node : group.nodes) set.push_back(static_cast<int>(node));
+      std::sort(set.begin(), set.end());
+    }
   }
 
   const input::BodySpec& spec_;
+  const GmshMesh& file_;
   Model model_;
 };
 
 }  // namespace
 
-BodyMesh import_shell(const input::BodySpec& spec) { return shell_body_of(ShellImport(spec).take(), spec); }
+BodyMesh import_shell(const input::BodySpec& spec, const GmshMesh& file) { return shell_body_of(ShellImport(spec, file).take(), spec); }
 
 }  // namespace snug::mesh

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "mesh/body/body_mesh.hpp"
+#include "mesh/formats/gmsh_file.hpp"
 
 namespace snug::mesh {
 
-/// The open gmsh model's physical surfaces that spec.layers names, with their thickness and foundation. Throws
+/// A gmsh file's physical surfaces that spec.layers names, with their thickness and foundation. Throws
 /// input::InputError naming surface and remedy.
-BodyMesh import_shell(const input::BodySpec& spec);
+BodyMesh import_shell(const input::BodySpec& spec, const GmshMesh& file);
 
 }  // namespace snug::mesh
