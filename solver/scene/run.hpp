@@ -70,9 +70,13 @@ struct KeptStates {
   std::function<void(double, const postproc::RunResult&)> keep;
 };
 
+/// Asked after every iteration, on all ranks alike; true: the running step is given up and the last converged state is the
+/// result, with the status "partial".
+using Stop = std::function<bool()>;
+
 /// Solves the scene of the case. Never throws for lack of convergence: the last converged state comes back with its status.
 /// Throws input::InputError when the scene cannot have an equilibrium or names parts that do not fit together.
 postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer = {},
-                          const KeptStates& kept = {});
+                          const KeptStates& kept = {}, const Stop& stop = {});
 
 }  // namespace snug::solver

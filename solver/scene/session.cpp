@@ -23,9 +23,11 @@ class Alone {
  public:
   Alone() {
     if (getenv("OMPI_COMM_WORLD_SIZE")) return;
+    const bool has_folder = getenv("OMPI_MCA_orte_tmpdir_base") != nullptr;  // one that is removed even when this process is killed
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
+    if (has_folder) return;
     std::string name = (std::filesystem::temp_directory_path() / "snug-XXXXXX").string();
     if (!mkdtemp(name.data())) return;  // as before, then
     folder_ = name;

@@ -83,7 +83,7 @@ PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, cons
     } else {
       result.message = to_string(outcome);
       result.lost += iterations;
-      if (++failures > path.failures || step < path.smallest_step || result.lost > path.lost_iterations) {
+      if (outcome == Outcome::stopped || ++failures > path.failures || step < path.smallest_step || result.lost > path.lost_iterations) {
         scene.renew(result.state);  // terms look at the state that is returned, not at the failed one
         scene.update(result.state);
         return result;

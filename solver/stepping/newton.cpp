@@ -11,6 +11,7 @@ namespace snug::solver {
 std::string to_string(Outcome outcome) {
   switch (outcome) {
     case Outcome::converged: return "converged";
+    case Outcome::stopped: return "the user wants no more";
     case Outcome::no_progress: return "the iteration makes no progress";
     case Outcome::too_many_iterations: return "too many iterations";
     case Outcome::linear_solver_failed: return "the linear solver failed";
@@ -190,6 +191,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     sink(row);
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
+    if (settings.stop && settings.stop()) return Outcome::stopped;
     if (patience.lost(now.residual, downhill && row.step >= long_stride)) return Outcome::no_progress;
     if (iteration == settings.iterations) break;
     const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;

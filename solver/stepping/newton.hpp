@@ -21,10 +21,11 @@ struct NewtonSettings {
   bool recut = false;             ///< renews the quadrature of contact near the solution, so that it is that of the answer
                                   ///< and not of the state that the increment started from
   bool minimum = false;           ///< what is found must be a minimum on its constraints, by the inertia of the tangent
+  std::function<bool()> stop = {};  ///< asked after every iteration; true: the user wants no more
   bool may_lag = false;           ///< solve with the last factor near the solution: pays where a body is factored
 };
 
-enum class Outcome { converged, no_progress, too_many_iterations, linear_solver_failed, saddle, inadmissible };
+enum class Outcome { converged, stopped, no_progress, too_many_iterations, linear_solver_failed, saddle, inadmissible };
 std::string to_string(Outcome outcome);
 
 using IterationSink = std::function<void(const postproc::Iteration&)>;

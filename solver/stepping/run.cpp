@@ -29,8 +29,9 @@ constexpr std::array<double, 2> spread = {0.5, 0.0};
 /// One run: the parts of the flow share the clock, the observer and the result.
 class Run {
  public:
-  Run(const input::Case& description, const Meshes& meshes, const Observer& observer, const KeptStates& kept)
-      : case_(description), worn_(description), meshes_(meshes), kept_(kept), log_(result_, observer) {
+  Run(const input::Case& description, const Meshes& meshes, const Observer& observer, const KeptStates& kept,
+      const Stop& stop)
+      : case_(description), worn_(description), meshes_(meshes), kept_(kept), stop_(stop), log_(result_, observer) {
     const Plan parts = plan(description, meshes);
     result_.title = description.title;
     result_.tier = parts.tier;
@@ -91,6 +92,7 @@ class Run {
 
   PathSettings settings(Skin skin) const {
     PathSettings path;
+    path.newton.stop = stop_;
     path.newton.may_lag = skin == Skin::deformable;
     path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
     if (kept_.steps > 0) {
@@ -335,6 +337,7 @@ class Run {
   input::Case worn_;  ///< the case with the friction that holds the garment on the way
   const Meshes& meshes_;
   const KeptStates& kept_;
+  const Stop& stop_;
   int stages_ = 0;
   postproc::RunResult result_;
   RunLog log_;
@@ -343,8 +346,8 @@ class Run {
 }  // namespace
 
 postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer,
-                          const KeptStates& kept) {
-  return Run(description, meshes, observer, kept)();
+                          const KeptStates& kept, const Stop& stop) {
+  return Run(description, meshes, observer, kept, stop)();
 }
 
 }  // namespace snug::solver
