@@ -8,6 +8,7 @@
 #include "cases/input/units.hpp"
 #include "postproc/animation/film.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/result_list.hpp"
 #include "solver/app/study/child_process.hpp"
 
 namespace snug::app {
@@ -33,13 +34,18 @@ class Animate : public Command {
   int execute() override {
     if (!step_.empty()) settings_.step = length(step_);
     const fs::path folder = fs::path(out_) / "animation";
+    std::vector<std::string> films;
+    if (gif_) films.push_back("animation.gif");
+    if (mp4_) films.push_back("animation.mp4");
+    check_may_add(out_, {films.begin(), films.end()});
     const postproc::animation::Film film = postproc::animation::make_film(out_, folder, settings_);
     fmt::print("{}: {} frames from {} states, {:.3g} mm at most between two\n", folder.string(), film.frames, film.keys,
                1e3 * film.widest);
-    std::vector<std::string> films;
-    if (gif_) films.push_back((fs::absolute(out_) / "animation.gif").string());
-    if (mp4_) films.push_back((fs::absolute(out_) / "animation.mp4").string());
+    ResultList written(films.begin(), films.end());
+    for (const std::string& file : files_below(folder)) written.insert("animation/" + file);
+    for (std::string& film : films) film = (fs::absolute(out_) / film).string();
     if (!films.empty()) draw(films);
+    add_to_result_list(out_, written);
     return done;
   }
 

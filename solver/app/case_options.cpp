@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "solver/app/size_estimate.hpp"
+
 namespace snug::app {
 
 void CaseOptions::declare(CLI::App& app) {
@@ -10,6 +12,32 @@ void CaseOptions::declare(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--tier", tier, "L0: tension times curvature; L1: rigid skin; L4: nonlinear body")->type_name("TIER");
   app.add_flag("--allow-outside", allow_outside, "admit input files outside the case directory");
+  app.add_flag("--allow-scripts", allow_scripts,
+               "let a mesh script (.geo) run programs and read and write files: only for files that you trust as your own");
+  app.add_option("--memory", memory, "GB that the case may take (what the machine has; gmsh 1 GB to read or mesh a file)")
+      ->check(CLI::Range(0.1, 1e6));
+  app.add_option("--mesh-seconds", mesh_seconds, "seconds for gmsh to read or mesh a file")->check(CLI::Range(1.0, 1e6))->capture_default_str();
+}
+
+double CaseOptions::memory_limit() const { return memory > 0.0 ? 1e9 * memory : memory_of_machine(); }
+
+mesh::GmshOptions CaseOptions::gmsh() const {
+  mesh::GmshOptions options;
+  options.allow_scripts = allow_scripts;
+  options.limits.seconds = mesh_seconds;
+  if (memory > 0.0) options.limits.memory = 1e9 * memory;
+  return options;
+}
+
+std::vector<std::string> CaseOptions::words() const {
+  std::vector<std::string> words;
+  for (const std::string& set : overrides) words.push_back("--set"), words.push_back(set);
+  if (!tier.empty()) words.push_back("--tier=" + tier);
+  if (allow_outside) words.push_back("--allow-outside");
+  if (allow_scripts) words.push_back("--allow-scripts");
+  if (memory > 0.0) words.push_back("--memory=" + std::to_string(memory));
+  words.push_back("--mesh-seconds=" + std::to_string(mesh_seconds));
+  return words;
 }
 
 input::Case CaseOptions::read(const std::filesystem::path& directory) const {

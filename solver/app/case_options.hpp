@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/input/case.hpp"
+#include "mesh/formats/gmsh_file.hpp"
 
 namespace CLI {
 class App;
@@ -17,8 +18,16 @@ struct CaseOptions {
   std::vector<std::string> overrides;
   std::string tier;
   bool allow_outside = false;
+  bool allow_scripts = false;   ///< a mesh script may do what gmsh lets it do
+  double memory = 0.0;          ///< GB that the case may take; 0: what the machine has, and 1 GB for gmsh's reading
+  double mesh_seconds = 300.0;  ///< for gmsh to read and mesh a file
 
   void declare(CLI::App& app);
+  /// Bytes that the case may take.
+  double memory_limit() const;
+  mesh::GmshOptions gmsh() const;
+  /// The options as words of a command line, for another process.
+  std::vector<std::string> words() const;
   /// Reads the case with the options applied. Throws input::InputError.
   input::Case read(const std::filesystem::path& directory) const;
 };

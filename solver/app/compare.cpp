@@ -104,9 +104,7 @@ class Compare : public Command {
     const fs::path folder = fs::absolute(vtu_).parent_path();
     if (!fs::is_directory(folder))
       throw input::InputError({"--vtu", 0, 0}, "there is no directory " + folder.string(), "make it, or name another");
-    const fs::path aside = vtu_ + ".part";
-    postproc::write_columns(comparison.difference, aside);
-    fs::rename(aside, vtu_);
+    postproc::write_columns(comparison.difference, vtu_);
   }
 
   std::string result_, reference_, match_ = "automatic", absolute_displacement_, absolute_stress_, within_;

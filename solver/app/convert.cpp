@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
+#include <sstream>
 
 #include "materials/laws/solid_law.hpp"
 #include "mesh/body/to_model.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/write_named.hpp"
 #include "solver/app/convert_fuzzy.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/scene/constraints.hpp"
@@ -130,13 +131,9 @@ class Convert : public Command {
     std::vector<mesh::ModelMaterial> materials;
     for (const mesh::Layer& layer : body.layers) materials.push_back(LawOf(layer)());
     const mesh::Model model = model_of(body, materials, loads_of(prepared.description, body));
-    const fs::path aside = file_ + ".part";
-    std::ofstream out(aside);
+    std::ostringstream out;
     ending == ".inp" ? write_calculix(out, model) : write_cdb(out, model);
-    out.close();
-    if (!out)
-      throw input::InputError({file_, 0, 0}, "the file cannot be written", "name a place that can be written to");
-    fs::rename(aside, file_);
+    write_named(file_, out.str());
     return done;
   }
 

@@ -20,15 +20,13 @@ void convert_fuzzy(const std::string& from, const std::string& to) {
   reference.name = from;
   reference.where.file = "snug convert";
   const postproc::FuzzySystem system = postproc::load_fuzzy(reference, {});
-  const fs::path target(to), aside = target.parent_path() / ("part-" + target.filename().string());
   try {
-    postproc::write_fuzzy(system, aside);
-    fs::rename(aside, target);
+    postproc::write_fuzzy(system, to);
   } catch (const std::invalid_argument& fault) {
     throw input::InputError({to, 0, 0}, fault.what(),
                             "or begin with \"" + postproc::fuzzy_names().back() + "\", which FIS can hold");
-  } catch (const std::runtime_error&) {
-    throw input::InputError({to, 0, 0}, "the file cannot be written", "name a place that can be written to");
+  } catch (const std::runtime_error& error) {
+    throw input::InputError({to, 0, 0}, error.what(), "name a place that can be written to");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "postproc/grid.hpp"
+#include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/output_directory.hpp"
 #include "solver/app/prepared_case.hpp"
@@ -42,7 +43,10 @@ class Mesh : public Command {
 
   int execute() override {
     OutputDirectory out(out_.empty() ? fs::path(directory_) / "out" / "mesh" : fs::path(out_));
+    const Cleaner cleaner;
+    cleaner.repair(out.target());
     const PreparedCase prepared = prepare(directory_, options_);
+    out.aside();
     fmt::print("{}\n\n{}", prepared.description.title, quality_text(prepared));
     const solver::Meshes& meshes = prepared.meshes;
     if (!meshes.body.nodes.empty()) postproc::write_body(solver::body_result(meshes.body, true), {}, out.aside() / "body.vtu");

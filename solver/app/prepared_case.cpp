@@ -9,6 +9,7 @@
 #include "mesh/body/import.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
+#include "solver/app/size_estimate.hpp"
 #include "solver/scene/garment_cells.hpp"
 
 namespace snug::app {
@@ -74,21 +75,23 @@ void check_that_something_acts(const input::Case& description, const mesh::BodyM
                           "add [load] or a [[support]] that moves, or forces in " + description.body->mesh.string());
 }
 
-solver::Meshes make_meshes(const input::Case& description) {
+solver::Meshes make_meshes(const input::Case& description, const CaseOptions& options) {
   solver::Meshes meshes;
   if (!description.body) return meshes;
   if (description.body->kind == "imported") {
     const bool model = mesh::is_model_file(description.body->mesh);
-    meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body);
+    meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body, options.gmsh());
     check_that_something_acts(description, meshes.body);
     if (description.garment) meshes.limb = limb_below(*description.garment, meshes.body);
   } else {
+    refuse_large_body(description, options.memory_limit());
     meshes.limb = mesh::make_limb(*description.body);
     meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   }
   if (!description.garment) return meshes;
-  meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb,
-                                           solver::worn_cell_size(description, meshes.limb, meshes.body));
+  const double cell_size = solver::worn_cell_size(description, meshes.limb, meshes.body);
+  refuse_large_garment(description, cell_size, options.memory_limit());
+  meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb, cell_size);
   return meshes;
 }
 
@@ -101,8 +104,9 @@ PreparedCase prepare(const std::filesystem::path& directory, const CaseOptions& 
   check_materials(prepared.description);
   prepared.phases.push_back({"reading", reading.seconds()});
   const Stopwatch meshing;
-  prepared.meshes = make_meshes(prepared.description);
+  prepared.meshes = make_meshes(prepared.description, options);
   prepared.quality = mesh::quality(prepared.meshes.body);
+  prepared.memory_limit = options.memory_limit();
   prepared.phases.push_back({"meshing", meshing.seconds()});
   return prepared;
 }

@@ -16,6 +16,7 @@ struct PreparedCase {
   input::Case description;
   solver::Meshes meshes;
   std::vector<mesh::QualityRow> quality;
+  double memory_limit = 0.0;            ///< bytes that the case may take
   std::vector<postproc::Phase> phases;  ///< seconds of reading and meshing
 };
 

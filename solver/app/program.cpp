@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <new>
 
 #include "cases/input/diagnostics.hpp"
 #include "solver/app/command.hpp"
@@ -31,12 +34,26 @@ std::vector<std::unique_ptr<Command>> all_commands() {
 
 namespace {
 
+/// What was said may stand in a buffer until now: a full disk behind standard output is told, and not by silence.
+int said(int status, const Command& command) {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return status;
+  fmt::print(stderr, "snug {}: error: standard output cannot be written to; see what it leads to\n", command.name());
+  return status == done ? internal_fault : status;
+}
+
 /// Runs a command and says what went wrong.
 int execute(Command& command) {
   try {
     return command.execute();
   } catch (const input::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
+    return input_wrong;
+  } catch (const std::filesystem::filesystem_error& error) {
+    const input::Location where{error.path1().empty() ? command.name() : error.path1().string(), 0, 0};
+    fmt::print(stderr, "{}\n", to_string({where, error.code().message(), "see what this path leads to and who may read and write it"}));
+    return input_wrong;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "snug {}: error: the memory of the machine is used up; take fewer cells (snug check tells what a case needs)\n", command.name());
     return input_wrong;
   } catch (const std::exception& error) {
     fmt::print(stderr, "snug {}: error: {}; this is a fault of snug or of the machine, not of the input\n",
@@ -50,10 +67,11 @@ int execute(Command& command) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of the shell is a write that fails, not the program's end
   CLI::App program("snug predicts what a garment does to the body that wears it.", "snug");
   program.set_version_flag("--version", "snug " SNUG_VERSION);
   program.require_subcommand(1);
-  program.footer("Exit status: 0 done, 1 outside a tolerance, 2 wrong input, 3 no convergence, 4 internal fault.");
+  program.footer("Exit status: 0 done, 1 outside a tolerance, 2 wrong input, 3 no convergence, 4 internal fault, 130 or 143 stopped by you.");
   const auto commands = all_commands();
   for (const auto& command : commands) command->declare(*program.add_subcommand(command->name(), command->summary()));
   try {
@@ -65,7 +83,7 @@ int run_program(int argc, char** argv) {
     return input_wrong;
   }
   for (const auto& command : commands)
-    if (program.got_subcommand(command->name())) return execute(*command);
+    if (program.got_subcommand(command->name())) return said(execute(*command), *command);
   return input_wrong;
 }
 

@@ -20,6 +20,9 @@ bool same_increment(const solver::Progress& a, const solver::Progress& b) {
   return a.phase == b.phase && a.increment == b.increment && a.attempt == b.attempt;
 }
 
+/// Nobody may be listening any more; that costs no solution.
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
 }  // namespace
 
 std::string progress_text(const solver::Progress& p) {
@@ -50,10 +53,10 @@ void ProgressLine::show(const solver::Progress& progress) {
     fmt::print("{}{}\n", open_ ? "\r\033[K" : "", overdue_text(progress));
   }
   if (terminal_) {
-    fmt::print("\r\033[K{}", progress_text(progress).substr(0, terminal_width() - 1));
+    print("\r\033[K" + progress_text(progress).substr(0, terminal_width() - 1));
     open_ = true;
   } else if (any_ && !same_increment(progress, last_)) {
-    fmt::print("{}\n", progress_text(last_));  // an increment is over when the next begins
+    print(progress_text(last_) + "\n");  // an increment is over when the next begins
   }
   std::fflush(stdout);
   last_ = progress;
@@ -62,8 +65,8 @@ void ProgressLine::show(const solver::Progress& progress) {
 
 void ProgressLine::finish() {
   if (quiet_ || !any_) return;
-  if (!terminal_) fmt::print("{}\n", progress_text(last_));
-  if (open_) fmt::print("\n");
+  if (!terminal_) print(progress_text(last_) + "\n");
+  if (open_) print("\n");
   std::fflush(stdout);
   any_ = open_ = false;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "solver/app/launch.hpp"
 
@@ -60,7 +61,8 @@ std::string command_line() {
 postproc::Provenance provenance_of(const PreparedCase& prepared) {
   postproc::Provenance provenance;
   provenance.command = command_line();
-  provenance.versions = {{"snug", SNUG_VERSION}, {"compiler", __VERSION__}, {"blas", solver::loaded_blas()}};
+  provenance.versions = {{"snug", SNUG_VERSION}, {"compiler", __VERSION__}, {"blas", solver::loaded_blas()},
+                         {"ranks", std::to_string(solver::this_rank().of)}, {"threads", std::to_string(std::thread::hardware_concurrency())}};
   const fs::path directory = prepared.description.directory.lexically_normal();
   for (const fs::path& file : input_files(prepared.description))
     provenance.input_hashes[file.lexically_normal().lexically_relative(directory).generic_string()] = hash_of(file);

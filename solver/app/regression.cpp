@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <stdexcept>
-
+#include "cases/input/files.hpp"
 #include "postproc/field_cells.hpp"
 
 namespace snug::app {
@@ -71,17 +69,17 @@ std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>
                                                const fs::path& shown_as) {
   std::vector<postproc::Comparison> comparisons;
   if (references.empty()) return comparisons;
-  std::ofstream text(folder / "comparison.txt");
+  std::string text;
   for (const ReferenceTable& reference : references) {
     postproc::NodalField result = postproc::read_field(folder, {.surface = reference.surface, .nodes = {}});
     result.name = shown_as.string();
     const postproc::Comparison& comparison =
         comparisons.emplace_back(postproc::compare(result, reference.field, reference.options));
-    text << postproc::comparison_text(comparison) << '\n';
+    text += postproc::comparison_text(comparison) + '\n';
     if (!comparison.difference.places.empty())
       postproc::write_columns(comparison.difference, folder / ("difference_" + reference.quantity + ".vtu"));
   }
-  if (!text.flush()) throw std::runtime_error("comparison.txt cannot be written into " + folder.string());
+  input::write_file(folder / "comparison.txt", text);
   return comparisons;
 }
 

@@ -4,8 +4,9 @@
 
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 
+#include "cases/input/files.hpp"
+#include "solver/app/result_list.hpp"
 #include "solver/app/study/child_process.hpp"
 
 namespace snug::app {
@@ -13,13 +14,10 @@ namespace snug::app {
 namespace fs = std::filesystem;
 
 void write_page(const std::string& page, const fs::path& file) {
-  fs::path aside = file;
-  aside += ".part";
-  std::ofstream out(aside, std::ios::binary);
-  out << page;
-  out.close();
-  if (!out) throw std::runtime_error(file.string() + " cannot be written");
-  fs::rename(aside, file);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  check_may_add(folder, {file.filename().string()});
+  input::write_file(file, page);
+  add_to_result_list(folder, {file.filename().string()});
 }
 
 void write_report(const fs::path& out, const postproc::report::Pictures& pictures) {

@@ -4,11 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
 #include <cstdio>
-#include <fstream>
+#include <optional>
 
 #include "cases/input/echo.hpp"
+#include "cases/input/files.hpp"
 #include "postproc/recorders.hpp"
+#include "solver/algebra/communicator.hpp"
+#include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/final_table.hpp"
 #include "solver/app/launch.hpp"
@@ -19,7 +24,10 @@
 #include "solver/app/provenance.hpp"
 #include "solver/app/regression.hpp"
 #include "solver/app/report_files.hpp"
+#include "solver/app/scratch.hpp"
+#include "solver/app/size_estimate.hpp"
 #include "solver/app/state_files.hpp"
+#include "solver/app/stop_signals.hpp"
 
 namespace snug::app {
 
@@ -50,10 +58,14 @@ void warn_of_slow_blas() {
 void write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
                OutputDirectory& out) {
   postproc::write_results(run, evaluation, out.aside(), provenance_of(prepared));
-  std::ofstream echo(out.aside() / "case.echo.toml");
-  echo << input::echo_text(prepared.description);
-  echo.close();
-  if (!echo) throw std::runtime_error("case.echo.toml cannot be written into " + out.aside().string());
+  input::write_file(out.aside() / "case.echo.toml", input::echo_text(prepared.description));
+}
+
+/// The files of any run; what is there under one of these names and is not snug's is said before the solve.
+ResultList names_of_results() {
+  ResultList names = {"case.echo.toml"};
+  for (const postproc::Recorder& recorder : postproc::recorders()) names.insert(recorder.file);
+  return names;
 }
 
 int status_of(const postproc::RunResult& run, const fs::path& directory) {
@@ -62,6 +74,13 @@ int status_of(const postproc::RunResult& run, const fs::path& directory) {
              run.status == "partial" ? "the solution stopped on its way, what converged is kept" : "nothing converged",
              run.message.empty() ? "see history.csv" : run.message);
   return not_converged;
+}
+
+/// Without mpirun MPI makes its folder where it is removed whatever ends the run.
+std::unique_ptr<Scratch> prepare_for_mpi(const Cleaner& cleaner) {
+  auto scratch = std::make_unique<Scratch>(temporary_place(), cleaner);
+  ::setenv("OMPI_MCA_orte_tmpdir_base", scratch->path().c_str(), 1);
+  return scratch;
 }
 
 class Run : public Command {
@@ -82,30 +101,42 @@ class Run : public Command {
                    "`snug animate` (the path is then walked instead of jumped: slower)")
         ->check(CLI::Range(1, 1000));
     app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
+    app.add_option("--rank-status", status_file_)->group("");  // of the launcher of ranks
+    app.footer("Ctrl-C, SIGTERM: the running step is given up, what converged is written as partial, exit status 130 or 143; a second one\n"
+               "ends at once and leaves the earlier results.");
   }
 
   int execute() override {
     if (!out_.empty() && directories_.size() > 1)
       throw input::InputError({"--out", 0, 0}, "one place is given for several cases",
                               "run them one by one, or leave --out out");
+    cleaner_.emplace();
     if (launched_ranks() > 1) return run_as_rank();
     if (ranks_ > 1) {
       for (const std::string& directory : directories_) options_.read(directory);  // what is wrong is said once
-      return launch_ranks(ranks_);
+      return launch_ranks(ranks_, *cleaner_);
     }
+    const StopSignals signals(false);
     return run_all();
   }
 
  private:
   int run_all() {
     int status = done;
-    for (const std::string& directory : directories_) status = std::max(status, run_or_say(directory));
+    for (const std::string& directory : directories_) {
+      status = std::max(status, run_or_say(directory));
+      if (stopped()) break;
+    }
+    if (writes_) report_status(status_file_, status);
     return status;
   }
 
   /// One rank of several. An error on one rank ends all: the others would wait for it for ever.
   int run_as_rank() {
+    end_with_parent();
+    const StopSignals signals(true);
     if (!session_) session_ = std::make_unique<SolverSession>();
+    StopSignals::take(true);
     writes_ = solver::this_rank().number == 0;
     quiet_ = quiet_ || !writes_;
     try {
@@ -117,7 +148,7 @@ class Run : public Command {
       fmt::print(stderr, "snug run, rank {}: error: unknown fault\n", solver::this_rank().number);
     }
     std::fflush(stderr);
-    solver::end_all_ranks(internal_fault);
+    end_all(internal_fault);
   }
 
   /// A wrong case among several does not keep the others from running.
@@ -128,33 +159,71 @@ class Run : public Command {
       if (writes_) fmt::print(stderr, "{}\n", error.what());
       if (solver::this_rank().of == 1) return input_wrong;
       if (!writes_) ::sleep(2);  // rank 0 has the word, if it found the same
-      solver::end_all_ranks(input_wrong);
+      end_all(input_wrong);
     }
+  }
+
+  [[noreturn]] void end_all(int status) const {
+    if (writes_) report_status(status_file_, status);
+    solver::end_all_ranks(status);
+  }
+
+  /// The user asked for an end; alike on all ranks, because each decides from it what it does next.
+  static bool stopped() { return !solver::on_all_ranks(StopSignals::received() == 0); }
+  static int signal() { return StopSignals::received() == 0 ? SIGTERM : StopSignals::received(); }
+
+  int given_up(const fs::path& directory) const {
+    if (writes_) fmt::print(stderr, "{}: error: stopped by you ({}) before the solution began; nothing is written\n", directory.string(), StopSignals::name(signal()));
+    return 128 + signal();
   }
 
   int run_one(const fs::path& directory) {
     const fs::path target = out_.empty() ? directory / "out" : fs::path(out_);
     OutputDirectory out(target);
+    if (writes_) cleaner_->repair(target);
     PreparedCase prepared = prepare(directory, options_);
     const std::vector<ReferenceTable> references =
         read_references(prepared.description);  // wrong ones before the solve
-    if (!session_) session_ = std::make_unique<SolverSession>();
+    const solver::Plan plan = solver::plan(prepared.description, prepared.meshes);
+    refuse_large_plan(plan, prepared.memory_limit, prepared.description);
+    if (writes_) make_room(out);
+    if (stopped()) return given_up(directory);
+    if (!session_) {
+      scratch_ = prepare_for_mpi(*cleaner_);
+      session_ = std::make_unique<SolverSession>();
+      StopSignals::take(false);  // PETSc has taken some of them
+    }
     if (writes_) warn_of_slow_blas();
-    say(plan_text(prepared.description.title, solver::plan(prepared.description, prepared.meshes)) + "\n");
+    say(plan_text(prepared.description.title, plan) + "\n");
     StateFiles states;
+    gave_up_ = false;
     postproc::RunResult run = solve(prepared, states, out);
     if (!writes_) return run.status == "converged" ? done : not_converged;
+    const bool nothing = run.status == "failed" && (!gave_up_ || run.increments == 0);
+    if (run.status != "converged" && gave_up_) {
+      run.status = "partial";
+      run.message = fmt::format("stopped by you ({}){}", StopSignals::name(signal()), nothing ? " before a step had converged" : "");
+    }
     // Nothing converged: the pressures mean nothing.
-    const auto evaluation = run.status == "failed"
+    const auto evaluation = nothing
                                 ? postproc::Evaluation{}
                                 : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
     write_all(run, evaluation, prepared, out);
     states.list(out.aside());
-    const int regression = run.status == "failed" ? done : regress(references, out);
+    const int regression = nothing ? done : regress(references, out);
     if (!no_report_) report(out);
     out.commit();
     say(final_text(run, evaluation, out.target()) + verdict_);
-    return std::max(status_of(run, directory), regression);
+    const int status = std::max(status_of(run, directory), regression);
+    return run.status != "converged" && gave_up_ ? 128 + signal() : status;
+  }
+
+  /// What cannot be written is said before the solve, not after it.
+  void make_room(OutputDirectory& out) const {
+    ResultList names = names_of_results();
+    if (!no_report_) names.insert("report.html");
+    check_may_add(out.target(), names);
+    out.aside();
   }
 
   /// A page that cannot be made does not cost the results.
@@ -183,30 +252,35 @@ class Run : public Command {
     }
   }
 
-  postproc::RunResult solve(const PreparedCase& prepared, StateFiles& states, OutputDirectory& out) const {
+  postproc::RunResult solve(const PreparedCase& prepared, StateFiles& states, OutputDirectory& out) {
     ProgressLine line(quiet_);
     const solver::KeptStates kept{states_, [&](double way, const postproc::RunResult& state) {
                                     if (writes_) states.write(way, state, out.aside());
                                   }};
     postproc::RunResult run = solver::solve(
-        prepared.description, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept);
+        prepared.description, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept,
+        [this] { return gave_up_ = gave_up_ || stopped(); });
     run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
     return run;
   }
 
+  /// Nobody may be listening any more; that costs no solution. It is told at the end.
   void say(const std::string& text) const {
     if (quiet_) return;
-    fmt::print("{}", text);
+    std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
   }
 
   std::vector<std::string> directories_;
   CaseOptions options_;
-  std::string out_;
+  std::string out_, status_file_;
   int ranks_ = 1, states_ = 0;
   bool quiet_ = false, pictures_ = false, no_report_ = false;
   bool writes_ = true;   ///< rank 0
+  bool gave_up_ = false;  ///< the solution, because the user asked for it
   std::string verdict_;  ///< of the last comparison
+  std::optional<Cleaner> cleaner_;
+  std::unique_ptr<Scratch> scratch_;
   std::unique_ptr<SolverSession> session_;
 };
 

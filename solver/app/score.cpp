@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "cases/input/csv.hpp"
@@ -16,6 +15,7 @@
 #include "solver/app/comfort_pages.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/final_table.hpp"
+#include "solver/app/write_named.hpp"
 
 namespace snug::app {
 
@@ -27,18 +27,6 @@ namespace fs = std::filesystem;
 struct FitOptions {
   std::string shape = "linear", out = "fitted", source, patch = "not given", population = "not given";
 };
-
-/// Writes text aside and renames, so that nothing is left half-written.
-void write_file(const fs::path& file, const std::string& text) {
-  const fs::path aside = file.string() + ".part";
-  std::ofstream out(aside);
-  out << text;
-  if (!out.flush())
-    throw input::InputError({"--out", 0, 0}, fmt::format("cannot write {}", file.string()),
-                            "name a folder that is there and may be written");
-  out.close();
-  fs::rename(aside, file);
-}
 
 /// The form of FIS files: one term of a location a rule, with the maximum for "or".
 postproc::FuzzySystem single_terms(postproc::FuzzySystem system) {
@@ -57,11 +45,11 @@ void fit(const std::string& file, const FitOptions& options) {
   curves.population = options.population;
   const postproc::MembershipFit memberships = postproc::fit_memberships(table);
   fmt::print("{}{}", statistics_text(curves), memberships_text(memberships));
-  write_file(options.out + ".toml", postproc::curves_toml(curves));
-  write_file(options.out + ".fll", postproc::fll_text(memberships.system));
+  write_named(options.out + ".toml", postproc::curves_toml(curves));
+  write_named(options.out + ".fll", postproc::fll_text(memberships.system));
   fmt::print("  files            {0}.toml (comfort.curves), {0}.fll (comfort.fuzzy)", options.out);
   try {
-    write_file(options.out + ".fis", postproc::fis_text(single_terms(memberships.system)));
+    write_named(options.out + ".fis", postproc::fis_text(single_terms(memberships.system)));
     fmt::print(", {}.fis (the same rules, one term of a location a rule)\n", options.out);
   } catch (const std::invalid_argument& fault) {
     fmt::print("; no FIS file: {}\n", fault.what());

@@ -1,11 +1,13 @@
 #include "solver/app/study/child_process.hpp"
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <stdexcept>
 
 namespace snug::app {
@@ -16,7 +18,10 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-[[noreturn]] void become(char* const* words, const char* directory, int output) {
+/// It ends with this process, whatever ends that.
+[[noreturn]] void become(char* const* words, const char* directory, int output, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
   if (chdir(directory) == 0) execvp(words[0], words);
@@ -40,9 +45,9 @@ ChildOutcome run_child(const std::vector<std::string>& words, const std::filesys
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process can be made");
   const auto start = std::chrono::steady_clock::now();
-  const pid_t child = fork();
+  const pid_t parent = getpid(), child = fork();
   if (child < 0) throw std::runtime_error("no child process can be started");
-  if (child == 0) become(arguments.data(), directory.c_str(), ends[1]);
+  if (child == 0) become(arguments.data(), directory.c_str(), ends[1], parent);
   close(ends[1]);
   ChildOutcome outcome;
   outcome.output = read_all(ends[0]);

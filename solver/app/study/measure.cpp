@@ -39,9 +39,7 @@ std::vector<std::string> command_line(const fs::path& directory, const CaseOptio
                                     "--no-report",
                                     "--out",
                                     fs::absolute(out).string()};
-  for (const std::string& set : options.overrides) words.push_back("--set"), words.push_back(set);
-  if (!options.tier.empty()) words.push_back("--tier=" + options.tier);
-  if (options.allow_outside) words.push_back("--allow-outside");
+  for (const std::string& word : options.words()) words.push_back(word);
   return words;
 }
 

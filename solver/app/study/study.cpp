@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/output_directory.hpp"
 #include "solver/app/prepared_case.hpp"
@@ -55,6 +56,8 @@ class Study : public Command {
     Yardstick yardstick = yardstick_of(description, against_);
     const std::vector<StudyRow> beside = beside_.empty() ? std::vector<StudyRow>{} : read_study_csv(beside_);
     OutputDirectory out(out_.empty() ? fs::path(directory_) / "study" : fs::path(out_));
+    const Cleaner cleaner;
+    cleaner.repair(out.target());
     const fs::path work = out.aside();
     std::vector<StudyRow> rows;
     for (const auto& one : series) walk(one, ladder, work, rows);

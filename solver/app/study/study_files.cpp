@@ -9,10 +9,11 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
-#include <stdexcept>
+#include <sstream>
 #include <thread>
 
 #include "cases/input/csv.hpp"
+#include "cases/input/files.hpp"
 #include "postproc/tables.hpp"
 
 namespace snug::app {
@@ -57,21 +58,29 @@ double seconds_of(const StudyRow& row, const std::string& phase) {
   return not_known;
 }
 
-/// A name as it stands in study.csv: gnuplot does not read commas inside quotes.
+/// A name as it stands in study.csv and in the plot: gnuplot reads neither commas nor quotes inside quotes.
 std::string plain(std::string name) {
   std::replace(name.begin(), name.end(), ',', ';');
-  return name;
+  for (char& c : name)
+    if (c == '"' || static_cast<unsigned char>(c) < ' ') c = ' ';
+  return postproc::csv_cell(name);
 }
 
-void close(std::ofstream& out, const fs::path& file) {
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + file.string());
+/// A text that gnuplot takes as it is: inside single quotes it runs no backticks and knows no escapes; a quote is doubled. A
+/// line end would end the text, and a control character has no business in a name.
+std::string gnuplot_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? ' ' : c;
+    if (c == '\'') quoted += c;
+  }
+  return quoted + '\'';
 }
 
 }  // namespace
 
 void write_study_csv(const std::vector<StudyRow>& rows, const fs::path& file) {
-  std::ofstream out(file);
+  std::ostringstream out;
   const std::vector<std::string> phases = phase_names(rows);
   out << "series,level,status";
   visit_numbers(rows.front(), [&](const char* name, double, double) { out << ',' << name; });
@@ -83,7 +92,7 @@ void write_study_csv(const std::vector<StudyRow>& rows, const fs::path& file) {
     for (const std::string& name : phases) out << ',' << cell(seconds_of(row, name));
     out << ',' << postproc::csv_cell(row.settings) << '\n';
   }
-  close(out, file);
+  input::write_file(file, out.view());
 }
 
 std::vector<StudyRow> read_study_csv(const fs::path& file) {
@@ -146,7 +155,7 @@ double rest(const StudyRow& row) {
   return row.phases.empty() ? not_known : row.wall - sum;
 }
 
-void write_runs(const std::vector<StudyRow>& rows, std::ofstream& out) {
+void write_runs(const std::vector<StudyRow>& rows, std::ostream& out) {
   out << "| series | level | unknowns | Newton iterations | wall s | CPU s | memory MB | mean pressure | pressure rms "
          "| "
          "mean displacement | displacement rms |\n| --- | --- |"
@@ -162,7 +171,7 @@ void write_runs(const std::vector<StudyRow>& rows, std::ofstream& out) {
   }
 }
 
-void write_orders(const std::vector<StudyRow>& rows, std::ofstream& out) {
+void write_orders(const std::vector<StudyRow>& rows, std::ostream& out) {
   out << "| series | levels | mean pressure | pressure rms | mean displacement | displacement rms |\n"
          "| --- | --- | ---: | ---: | ---: | ---: |\n";
   const auto line = [&](const std::string& series, const std::string& levels, const std::vector<const StudyRow*>& of) {
@@ -179,7 +188,7 @@ void write_orders(const std::vector<StudyRow>& rows, std::ofstream& out) {
   }
 }
 
-void write_phases(const std::vector<StudyRow>& rows, std::ofstream& out) {
+void write_phases(const std::vector<StudyRow>& rows, std::ostream& out) {
   const std::vector<std::string> phases = phase_names(rows);
   out << "| series | level |";
   for (const std::string& name : phases) out << ' ' << name << " |";
@@ -197,7 +206,7 @@ void write_phases(const std::vector<StudyRow>& rows, std::ofstream& out) {
 }  // namespace
 
 void write_study_table(const std::vector<StudyRow>& rows, const StudyHead& head, const fs::path& file) {
-  std::ofstream out(file);
+  std::ostringstream out;
   fmt::print(out,
              "# Error against run time: {}\n\nWritten by `{}` on {}, on {}, {} cores, load average {} at the end.\n",
              head.title, head.command, date(), processor(), std::thread::hardware_concurrency(), load_average());
@@ -213,11 +222,11 @@ void write_study_table(const std::vector<StudyRow>& rows, const StudyHead& head,
   write_orders(rows, out);
   out << "\n## Wall time by phase, s\n\n";
   write_phases(rows, out);
-  close(out, file);
+  input::write_file(file, out.view());
 }
 
 void write_study_plot(const std::vector<StudyRow>& rows, const std::string& title, const fs::path& file) {
-  std::ofstream out(file);
+  std::ostringstream out;
   out << "# Draws study.svg from study.csv: gnuplot study.gp\n"
          "set terminal svg size 1260,760 font 'sans,13' background 'white'\n"
          "set output 'study.svg'\n"
@@ -227,18 +236,14 @@ void write_study_plot(const std::vector<StudyRow>& rows, const std::string& titl
          "set logscale xy\nset format x '10^{%L}'\nset format y '10^{%L}'\nset grid\n";
   const std::vector<std::string> series = series_of(rows);
   fmt::print(out, "array series[{}]\n", series.size());
-  const auto quoted = [](std::string text) {
-    std::replace(text.begin(), text.end(), '"', '\'');
-    return '"' + text + '"';
-  };
-  for (std::size_t n = 0; n < series.size(); ++n) fmt::print(out, "series[{}] = {}\n", n + 1, quoted(plain(series[n])));
+  for (std::size_t n = 0; n < series.size(); ++n) fmt::print(out, "series[{}] = {}\n", n + 1, gnuplot_text(plain(series[n])));
   const auto known = [&](Error e) {
     return std::any_of(rows.begin(), rows.end(), [&](const StudyRow& row) { return std::abs(row.errors.*e) > 0.0; });
   };
   std::string drawn;  // against a number there is no error of the map
   if (known(&StudyErrors::pressure_rms)) drawn += "pressure_rms_error ";
   if (known(&StudyErrors::mean_pressure)) drawn += "mean_pressure_error";
-  fmt::print(out, "drawn = '{}'\nset multiplot layout words(drawn),3 title {} noenhanced\n", drawn, quoted(title));
+  fmt::print(out, "drawn = '{}'\nset multiplot layout words(drawn),3 title {} noenhanced\n", drawn, gnuplot_text(title));
   out << "set key noenhanced top right font ',10'\n"
          "positive(x) = abs(x) > 0 ? abs(x) : NaN\n"
          "do for [error in drawn] {\n"
@@ -251,7 +256,7 @@ void write_study_plot(const std::vector<StudyRow>& rows, const std::string& titl
          "  }\n"
          "}\n"
          "unset multiplot\n";
-  close(out, file);
+  input::write_file(file, out.view());
 }
 
 }  // namespace snug::app

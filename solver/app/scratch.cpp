@@ -1,0 +1,36 @@
+#include "solver/app/scratch.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include "cases/input/diagnostics.hpp"
+
+namespace snug::app {
+
+namespace fs = std::filesystem;
+
+Scratch::Scratch(const fs::path& base, const Cleaner& cleaner) {
+  std::string name = (base / "snug-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw input::InputError({base.string(), 0, 0}, "no temporary folder can be made here: " + std::generic_category().message(errno),
+                            "set TMPDIR to a folder that can be written to");
+  path_ = name;
+  cleaner.remove(path_);
+}
+
+Scratch::~Scratch() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+fs::path temporary_place() {
+  std::error_code failed;
+  const fs::path place = fs::temp_directory_path(failed);
+  if (failed) throw input::InputError({"TMPDIR", 0, 0}, "it names no folder: " + failed.message(), "set it to a folder that can be written to, or leave it unset");
+  return place;
+}
+
+}  // namespace snug::app

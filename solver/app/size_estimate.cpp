@@ -1,0 +1,80 @@
+#include "solver/app/size_estimate.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace snug::app {
+
+namespace {
+
+// Bytes by count, measured with shipped cases (peak of snug check and of snug run, 2026-11), rounded up.
+constexpr double meshing_node = 2e3, meshing_triangle = 2e3, solving_body_unknown = 3e4, solving_garment_unknown = 6e3;
+constexpr double of_a_run = 2e8;
+
+std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", 1e-9 * bytes); }
+
+double solid_cells(const input::BodySpec& body) {
+  double cells = 0.0;
+  for (const input::LayerSpec& layer : body.layers)
+    if (layer.form == "solid") cells += layer.cells;
+  return cells;
+}
+
+double body_bytes(const input::BodySpec& body, double around, double along, double through, bool deformable) {
+  const bool quadratic = body.elements != "Q1/P0";
+  const double nodes = 2.0 * around * (2.0 * along + 1.0) * (2.0 * through + 1.0);  // meshed with 27 nodes in any case
+  const double unknowns = 3.0 * (quadratic ? nodes : nodes / 8.0);
+  return of_a_run + meshing_node * nodes + (deformable ? solving_body_unknown * unknowns : 0.0);
+}
+
+}  // namespace
+
+double memory_of_machine() {
+  double bytes = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  for (const char* file : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    double limit = 0.0;
+    if (std::ifstream(file) >> limit && limit > 0.0) bytes = std::min(bytes, limit);
+  }
+  return bytes;
+}
+
+void refuse_large_body(const input::Case& description, double limit) {
+  const input::BodySpec& body = *description.body;
+  const double through = solid_cells(body), around = body.cells_around, along = body.cells_along;
+  const bool deformable = description.solver.tier == "L4";
+  const double bytes = body_bytes(body, around, along, through, deformable);
+  if (bytes <= limit) return;
+  double factor = 1.0;  // of all three counts
+  while (factor > 1e-3 && body_bytes(body, factor * around, factor * along, factor * through, deformable) > limit) factor *= 0.95;
+  throw input::InputError(body.where, fmt::format("{:.0f} x {:.0f} x {:.0f} cells take about {}, there are {}", around, along, through, gigabytes(bytes), gigabytes(limit)),
+                          fmt::format("about cells_around = {:.0f}, cells_along = {:.0f} and {:.0f} cells through the layers fit; --memory says what may be taken",
+                                      std::floor(factor * around), std::floor(factor * along), std::max(1.0, std::floor(factor * through))));
+}
+
+void refuse_large_garment(const input::Case& description, double cell_size, double limit) {
+  const input::GarmentSpec& garment = *description.garment;
+  const double area = garment.pattern.flat_circumference * garment.pattern.length;
+  const double sides = (2.0 * garment.pattern.flat_circumference + 2.0 * garment.pattern.length) / cell_size;
+  const double triangles = area / (0.433 * cell_size * cell_size) + sides;  // equilateral, and at least one at each edge of the rim
+  const double unknowns = 3.0 * triangles * (garment.order == 2 ? 2.0 : 0.5);
+  const double bytes = of_a_run + triangles * meshing_triangle + unknowns * solving_garment_unknown;
+  if (bytes <= limit) return;
+  throw input::InputError(garment.where,
+                          fmt::format("a pattern of {:.4g} m x {:.4g} m in triangles of {:.3g} mm has about {:.2g} of them, which take about {}; there are {}",
+                                      garment.pattern.flat_circumference, garment.pattern.length, 1e3 * cell_size, triangles, gigabytes(bytes), gigabytes(limit)),
+                          fmt::format("about cell_size = \"{:.3g} mm\" fits; see whether the measures are those that were meant",
+                                      1e3 * cell_size * std::max(std::sqrt(bytes / limit), triangles > 0.0 ? bytes / limit * sides / triangles : 1.0)));
+}
+
+void refuse_large_plan(const solver::Plan& plan, double limit, const input::Case& description) {
+  if (plan.memory_bytes <= limit) return;
+  throw input::InputError({(description.directory / "case.toml").string(), 0, 0},
+                          fmt::format("the case is expected to take {}, there are {}", gigabytes(plan.memory_bytes), gigabytes(limit)),
+                          "take fewer cells; --memory says what may be taken");
+}
+
+}  // namespace snug::app
