@@ -40,15 +40,15 @@ TEST_F(Program, CheckSolvesAndWritesNothing) {
 }
 
 TEST_F(Program, RunReplacesItsOwnResultsOnly) {
-  // Results are replaced by the next run; a directory that holds something else is not touched.
+  // Results are replaced by the next run, and nothing else beside them; a directory that holds something else is not touched.
   ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
   const std::string coarse = "run mine --quiet --set body.cells_around=8 --set body.cells_along=1 ";
   ASSERT_EQ(snug(coarse).status, 0);
   EXPECT_TRUE(fs::exists(folder_ / "mine/out/summary.json"));
   EXPECT_TRUE(fs::exists(folder_ / "mine/out/case.echo.toml"));
-  write("mine/out/old", "");
+  write("mine/out/note", "");
   ASSERT_EQ(snug(coarse).status, 0);
-  EXPECT_FALSE(fs::exists(folder_ / "mine/out/old"));
+  EXPECT_TRUE(fs::exists(folder_ / "mine/out/note"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "mine"), fs::directory_iterator()), 4);
   fs::create_directories(folder_ / "precious");
   write("precious/thesis.tex", "");

@@ -1,0 +1,220 @@
+#include "tests/fuzz/targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "cases/input/csv.hpp"
+#include "cases/input/table.hpp"
+#include "mesh/body/foreign.hpp"
+#include "mesh/formats/geo_script.hpp"
+#include "mesh/formats/gmsh_file.hpp"
+#include "mesh/formats/triangle_surface.hpp"
+#include "postproc/comfort/curve_fit.hpp"
+#include "postproc/comfort/curve_library.hpp"
+#include "postproc/comfort/fuzzy_file.hpp"
+#include "postproc/comfort/membership_fit.hpp"
+#include "postproc/grid.hpp"
+#include "postproc/listing_reader.hpp"
+#include "postproc/nodal_field.hpp"
+#include "postproc/report/page.hpp"
+
+namespace snug::fuzz {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Texts of tests/fuzz/corpus/NAME.
+std::vector<std::string> corpus(const std::string& name) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(fs::path(SNUG_SOURCE_DIR) / "tests/fuzz/corpus" / name)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> texts;
+  for (const fs::path& file : files) texts.push_back(text_of(file).substr(0, longest));
+  return texts;
+}
+
+void put(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+fs::path with_ending(fs::path file, const char* ending) { return file.replace_extension(ending); }
+
+/// Readers of grids and of gmsh's files.
+std::vector<Target> mesh_targets() {
+  const auto vtu = [](const fs::path& file, const std::string& text) {
+    put(with_ending(file, ".vtu"), text);
+    postproc::read_field(with_ending(file, ".vtu"), {});
+  };
+  const auto pvd = [](const fs::path& file, const std::string& text) {
+    put(file, text);
+    postproc::read_series(file);
+  };
+  const auto gmsh = [](const char* ending) {
+    return [ending](const fs::path& file, const std::string& text) {
+      put(with_ending(file, ending), text);
+      mesh::GmshOptions options;
+      options.limits.seconds = 4.0;
+      mesh::read_gmsh_file(with_ending(file, ending), options);
+    };
+  };
+  const auto summary = [](const fs::path& file, const std::string& text) {
+    const fs::path folder = with_ending(file, ".out");
+    fs::create_directories(folder);
+    put(folder / "summary.json", text);
+    postproc::report::page(folder, {{}, "none"});
+  };
+  return {
+      {"vtu", vtu, corpus("vtu"), {"NumberOfPoints=\"", "NumberOfCells=\"1", "offset=\"", "Float64", "Int64", "99999999999", "<DataArray ", "/>", "\"", "<"}},
+      {"pvd", pvd, corpus("pvd"), {"<DataSet ", "timestep=\"", "file=\"", "../", "/", "nan", "1e999", "\"", ">", "\n"}},
+      {"msh", gmsh(".msh"), corpus("msh"), {"$Nodes\n", "$EndNodes\n", "$Elements\n", "$EndElements\n", "99999999999", "-1", "0 ", "1e999", "nan", "\n"}},
+      {"geo", gmsh(".geo"), corpus("geo"), {"For ", "EndFor\n", "{", "}", "Physical ", "Volume", "= ", "Mesh.", "1e999", ";\n", "//", "\"", "Save \"x\";", "~{1}"}},
+      {"summary", summary, corpus("summary"), {"null", "[]", "{}", "\"status\": ", "1e999", "-1", "\"", ",", ":", "true"}},
+  };
+}
+
+std::vector<Target> text_targets() {
+  const fs::path source = SNUG_SOURCE_DIR, listings = source / "tests/data/listings", models = source / "tests/data/models";
+  const auto listing = [](const fs::path&, const std::string& text) {
+    input::Diagnostics diagnostics;
+    const auto tables = postproc::parse_listing(text, "fuzz", diagnostics);
+    for (const postproc::ListingTable& table : tables)
+      if (table.values.size() != table.rows.size() * table.labels.size())
+        throw std::logic_error("rows and values differ");
+    postproc::field_of(tables, {});
+  };
+  const auto toml = [](const fs::path&, const std::string& text) {
+    input::Diagnostics diagnostics;
+    input::parse_text(text, {"fuzz", 1, 1}, diagnostics);
+  };
+  const auto put = [](const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; };
+  const auto curves = [put](const fs::path& file, const std::string& text) {
+    put(file, text);
+    input::Diagnostics diagnostics;
+    const input::Csv csv = input::read_csv(file, diagnostics);
+    diagnostics.throw_if_any();
+    postproc::fit_curves(csv);
+    for (const char* shape : {"piecewise", "logistic"}) postproc::fit_curves(csv, shape);
+    postproc::fit_memberships(csv);
+  };
+  const auto curve_file = [put](const fs::path& file, const std::string& text) {
+    const fs::path toml_file = file.string() + ".toml";
+    put(toml_file, text);
+    input::MaterialReference reference;
+    reference.name = toml_file.filename().string();
+    const postproc::SensationCurves set = postproc::find_curves(reference, toml_file.parent_path());
+    for (const postproc::SensationCurve& curve : set.curves) postproc::rate(curve, 1e3);
+  };
+  const auto fuzzy = [](postproc::FuzzyFormat format) {
+    return [format](const fs::path&, const std::string& text) {
+      postproc::FuzzySystem system = postproc::read_fuzzy_text(text, format, "fuzz");
+      system.resolution = std::min(system.resolution, 101);
+      postproc::infer(system, std::vector<double>(system.inputs.size(), 1.0));
+    };
+  };
+  // A model that is read whole must also become a body, or be refused.
+  const auto model_by = [](auto parse) {
+    return [parse](const fs::path&, const std::string& text) {
+      input::Diagnostics diagnostics;
+      const mesh::Model model = parse(text, "fuzz", diagnostics);
+      diagnostics.throw_if_any();
+      input::BodySpec spec;
+      spec.kind = "imported", spec.mesh = "fuzz";
+      mesh::body_of(model, spec);
+    };
+  };
+  return {
+      {"apdl",
+       model_by(mesh::parse_apdl),
+       {text_of(models / "double_pyramid.txt"), text_of(models / "block.cdb")},
+       {"NBLOCK,6,SOLID\n", "EBLOCK,19,SOLID\n", "CMBLOCK,A,NODE,3\n(8i10)\n", "RLBLOCK,1,1,6,7\n", "(3i9,6e21.13e3)\n", "esize,,3\n",
+        "d,all,all\n", "nsel,s,loc,x,0,1\n", "$", "!", ",", "\n", "-1\n", "99999999", "e,1,2,3,4\n", "a,1,2,3\n", "1e999"}},
+      {"inp",
+       model_by(mesh::parse_calculix),
+       {text_of(models / "cube.inp")},
+       {"*ELEMENT, TYPE=S6, ELSET=E\n", "*NSET, NSET=N, GENERATE\n", "*SHELL SECTION, ELSET=E, MATERIAL=M\n", "*", "**", ",", "\n", "=",
+        "99999999", "1e999", "*DLOAD\n", "*ELASTIC\n", "*HYPERELASTIC, OGDEN, N=3\n"}},
+      {"listing",
+       listing,
+       {text_of(listings / "shell_displacement.lis"), text_of(listings / "shell_stress.lis"),
+        text_of(listings / "ansys_pages.lis")},
+       {"NODE", "VALUE", " MINIMUM VALUES\n", "\n", "E-011", "E+060.", "-101", "************", ".....", "TOP/BOTTOM",
+        "NaN", "  ELEMENT=       1\n", " PRINT S\n", "1\n", "99999999999", "\t"}},
+      {"csv",
+       curves,
+       {text_of(source / "postproc/data/wear_trial_2002.csv")},
+       {",", "\"", "[mm]", "\n", "#", "1e400", "nan"}},
+      {"curves",
+       curve_file,
+       {text_of(source / "postproc/data/ral_gz_387.toml"),
+        "name = \"a\"\nsource = \"b\"\npatch = \"c\"\npopulation = \"d\"\n[[curves]]\nlocation = \"calf\"\n"
+        "shape = \"piecewise\"\nrange = [\"1 kPa\", \"2 kPa\"]\npressures = [\"1 kPa\", \"2 kPa\"]\nratings = [1, 2]\n"},
+       {"[[curves]]\n", "[[bands]]\n", "logistic", "\"1 Pa\"", "1e999", "nan", "width = \"1e-300 Pa\"\n", "\n"}},
+      {"fll",
+       fuzzy(postproc::FuzzyFormat::fll),
+       {text_of(source / "postproc/data/wear_trial_2002.fll")},
+       {"term: ", "rule: if ", " and ", " or ", "(", ")", "Bell", "Function x*x", "Centroid", "nan", "1e999", "\n", ":"}},
+      {"fis",
+       fuzzy(postproc::FuzzyFormat::fis),
+       {text_of(source / "postproc/data/wear_trial_2002.fis").substr(0, 4000) + "\n",
+        "[System]\nName='a'\nType='mamdani'\nNumInputs=1\nNumOutputs=1\nNumRules=1\nAndMethod='min'\nOrMethod='max'\n"
+        "ImpMethod='min'\nAggMethod='max'\nDefuzzMethod='centroid'\n[Input1]\nName='p'\nRange=[0 1]\nNumMFs=1\n"
+        "MF1='a':'gbellmf',[0.5 2.5 0]\n[Output1]\nName='y'\nRange=[0 1]\nNumMFs=1\nMF1='b':'trimf',[0 1 2]\n"
+        "[Rules]\n1, 1 (1) : 1\n"},
+       {"MF1=", "[Rules]\n", "'trimf'", "-1", "(1) : 2", "99", "nan", "1e999", "\n", "="}},
+      {"toml",
+       toml,
+       {text_of(source / "cases/thigh-sleeve/case.toml"), text_of(source / "cases/thigh-sleeve/expected.toml")},
+       {"[[", "]]", "{", "}", "\"\"\"", "=", "'", "\\u", "1e999", "\n"}},
+      {"surface",
+       [put](const fs::path& file, const std::string& text) {
+         put(file, text);
+         mesh::read_surface(file);
+       },
+       {"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+        "begin\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nend\n",
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+        "0\nendloop\nendfacet\nendsolid a\n"},
+       {"f ", "v ", "1/2/3", "-1", "99999999999", "vertex ", "solid", "nan", "1e999", "\n"}},
+  };
+}
+
+bool has_place(const input::InputError& error) {
+  for (const input::Diagnostic& one : error.errors())
+    if (one.where.file.empty()) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Target> targets() {
+  std::vector<Target> all = text_targets();
+  for (Target& target : mesh_targets()) all.push_back(std::move(target));
+  return all;
+}
+
+bool takes(const Target& target, const fs::path& file, const std::string& text, std::string& what) {
+  try {
+    target.read(file, text);
+  } catch (const input::InputError& error) {
+    if (has_place(error)) return true;
+    what = std::string("no place: ") + error.what();
+    return false;
+  } catch (const std::exception& error) {
+    what = error.what();
+    return false;
+  } catch (...) {
+    what = "something that is no exception";
+    return false;
+  }
+  return true;
+}
+
+}  // namespace snug::fuzz
