@@ -24,4 +24,12 @@ MembraneResponse Fabric::relaxed(const Eigen::Vector3d& strain, double eta) cons
   return r;
 }
 
+Fabric with_usual_sheet(Fabric fabric) {
+  constexpr double areal_density = 0.25, bending_length = 0.012, gravity = 9.80665;
+  if (fabric.areal_density == 0.0) fabric.areal_density = areal_density;
+  const double usual = fabric.areal_density * gravity * std::pow(bending_length, 3);
+  if (fabric.bending.warp == 0.0) fabric.bending = {usual, usual};
+  return fabric;
+}
+
 }  // namespace snug::materials

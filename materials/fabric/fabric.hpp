@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,14 +51,21 @@ class TensionCurve {
   Value inside(double green_strain) const;
 };
 
+/// Bending stiffness per width, N m.
+struct BendingStiffness {
+  double warp = 0.0, weft = 0.0;
+  /// Of (2 k12): sqrt(B1 B2)/2, Huber's for an orthotropic sheet whose directions do not feel each other; KES has no test.
+  double twist() const { return 0.5 * std::sqrt(warp * weft); }
+};
+
 /// W = f1(E11) + f2(E22) + c E11 E22 + G/2 (2 E12)^2 with c = poisson * min stiffness (convex).
 struct Fabric {
   std::string name;
   TensionCurve warp, weft;
   double coupling = 0.0;       ///< c, N/m
   double shear = 0.0;          ///< G, N/m per rad
-  double bending = 0.0;        ///< B, N m (mean of warp and weft; 0 = not measured)
-  double areal_density = 0.0;  ///< kg/m2
+  BendingStiffness bending;    ///< 0 = not measured
+  double areal_density = 0.0;  ///< kg/m2, 0 = not measured
   double thickness = 0.0;      ///< m
   std::optional<double> friction;  ///< coefficient of friction on skin, where it was measured
   std::string source;          ///< how each number was turned into SI
@@ -68,6 +76,10 @@ struct Fabric {
   /// `state` is that of W_r. Source: Pipkin, IMA J. Appl. Math. 36 (1986) 85-99.
   MembraneResponse relaxed(const Eigen::Vector3d& strain, double eta) const;
 };
+
+/// What a fabric without a weight or a bending stiffness of its own is taken to have: the medians of the eight fabrics of the
+/// wear trial, 0.25 kg/m2 and a bending length (B / (weight g))^(1/3) of 12 mm (theirs: 9.8 to 17 mm).
+Fabric with_usual_sheet(Fabric fabric);
 
 /// Shipped fabric (materials/data/fabrics.toml) or inline table. Throws input::InputError with the nearest known name.
 Fabric find_fabric(const input::MaterialReference& reference);

@@ -11,7 +11,7 @@ Fabric assemble(const TensionCurve& warp, const TensionCurve& weft, double shear
           .weft = weft,
           .coupling = sheet.poisson * std::min(warp.smallest_stiffness(), weft.smallest_stiffness()),
           .shear = shear,
-          .bending = sheet.bending,
+          .bending = sheet.bending_stiffness(),
           .areal_density = sheet.weight,
           .thickness = sheet.thickness,
           .friction = sheet.MIU,

@@ -14,6 +14,9 @@ struct Sheet {
   double poisson = 0.0;
   double weight = 0.0, thickness = 0.0, bending = 0.0;  ///< kg/m2, m, N m
   std::optional<double> MIU;
+  std::optional<double> bending_weft;                   ///< N m
+
+  BendingStiffness bending_stiffness() const { return {bending, bending_weft.value_or(bending)}; }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -24,11 +27,13 @@ struct Sheet {
           self.poisson);
     field(Field{.key = "weight", .unit = "kg/m2", .meaning = "mass per area", .bound = non_negative()}, self.weight);
     field(Field{.key = "thickness", .unit = "m", .meaning = "thickness", .bound = non_negative()}, self.thickness);
-    field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness (not used yet)", .bound = non_negative()},
+    field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness per width, of cloth that stands off the skin", .bound = non_negative()},
           self.bending);
     field(Field{.key = "MIU", .meaning = "mean coefficient of surface friction; what contact.friction is where the case does not say",
                 .bound = between(0.0, 2.0)},
           self.MIU);
+    field(Field{.key = "B_weft", .unit = "N m", .meaning = "bending stiffness of the weft, where it differs", .bound = positive()},
+          self.bending_weft);
   }
 };
 

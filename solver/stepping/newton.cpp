@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/terms/fabric_bending.hpp"
 #include "solver/terms/shell.hpp"
 
 namespace snug::solver {
@@ -173,7 +174,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   double before = std::numeric_limits<double>::max(), condensed_before = before, boost = 1.0;
   Stationary known = Stationary::unknown;
   bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
-  const bool bends = scene.find<Tissue>() || scene.find<Shell>();
+  const bool bends = scene.find<Tissue>() || scene.find<Shell>() || scene.find<FabricBending>();
   const bool downhill = !bends && scene.saddle_rows() == 0;
   const bool damped = !downhill && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
   for (int iteration = 0; iteration <= settings.iterations; ++iteration) {

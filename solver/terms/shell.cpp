@@ -16,36 +16,8 @@ namespace snug::solver {
 
 namespace {
 
-// Three points, exact to degree 2: as many membrane strains as a flat triangle has ways to deform in its plane. With the seven
-// of degree 5 a thin shell locks: its strain in bending, (curvature x edge)^2, cannot vanish at all of them. Measured on a
-// strip of t/L = 1e-3 in 40 cells that hangs by its own weight (reference book 2.3, q = 8): tip 1.5e-2 off with seven, 2.6e-3
-// with three.
-const std::array<FacetRulePoint, 3> inner_points = {{{{1.0 / 6.0, 1.0 / 6.0}, 1.0 / 6.0},
-                                                     {{2.0 / 3.0, 1.0 / 6.0}, 1.0 / 6.0},
-                                                     {{1.0 / 6.0, 2.0 / 3.0}, 1.0 / 6.0}}};
-
-/// Corners and middle of each edge of a triangle, turning with it.
-constexpr std::array<std::array<int, 3>, 3> edge_nodes = {{{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}};
-constexpr std::array<std::array<double, 2>, 3> corner = {{{0, 0}, {1, 0}, {0, 1}}};
-
-/// Corners, then middles, on the reference triangle.
-Eigen::Vector2d node_place(int a) {
-  const auto at = [](int v) { return Eigen::Vector2d(corner[v][0], corner[v][1]); };
-  return a < 3 ? at(a) : Eigen::Vector2d(0.5 * (at(a - 3) + at((a - 2) % 3)));
-}
-
-/// Of the penalty: with 1 the energy of flat triangles is just positive for every jump (see edge_penalty).
-constexpr double safety = 1.5;
-
 double bending_stiffness(const ShellElasticity& e, double thickness) {
   return e.youngs_modulus * std::pow(thickness, 3) / (12.0 * (1.0 - e.poisson_ratio * e.poisson_ratio));
-}
-
-// The quadratic triangle's curvature is constant. A third of a triangle's bending energy, D k^2 |K|/6, bears the jumps of
-// each of its edges: share D k |e| turn <= D k^2 |K|/6 + 3/2 share^2 D |e|^2/|K| turn^2, which p |e| turn^2/2 outweighs from
-// p = 3 share^2 D |e|/|K| summed over the sides on (share 1/2 inside, 1 on a clamped edge).
-double edge_penalty(double share, double stiffness, double length, double area) {
-  return safety * 3.0 * share * share * stiffness * length / area;
 }
 
 /// By node: the axes about which it may not turn.
@@ -75,7 +47,7 @@ std::vector<std::pair<int, int>> clamped_edges(const mesh::BodyMesh& mesh) {
   const std::map<int, std::set<int>> held = held_axes(mesh);
   std::set<std::pair<int, int>> clamped;
   for (const mesh::ShellTriangle& triangle : mesh.shell)
-    for (const auto& edge : edge_nodes)
+    for (const auto& edge : triangle_edges)
       if (const auto ends = std::minmax({triangle.nodes[edge[0]], triangle.nodes[edge[1]]}); keeps_angle(mesh, held, ends))
         clamped.insert(ends);
   return {clamped.begin(), clamped.end()};
@@ -96,7 +68,7 @@ void Shell::add_triangle(const mesh::ShellTriangle& given, const ShellElasticity
   triangle.membrane = given.thickness * plane * plane_stress(nu, Eigen::Matrix2d::Identity());
   TriangleNodes X;
   for (int a = 0; a < 6; ++a) X.col(a) = reference_[triangle.nodes[a]];
-  for (const FacetRulePoint& q : inner_points) {
+  for (const BendingRulePoint& q : bending_rule()) {
     Point point;
     point.place = triangle_place(q.xi);
     point.N = facet_shape(mesh::FacetKind::tri6, q.xi).N.head<6>();
@@ -108,7 +80,9 @@ void Shell::add_triangle(const mesh::ShellTriangle& given, const ShellElasticity
     point.normal = p.normal, point.reference_b = p.b;
     point.weight = q.weight * p.area;
     const Eigen::Matrix2d metric = p.tangent.transpose() * p.tangent;
-    point.bending = std::pow(given.thickness, 3) / 12.0 * plane * plane_stress(nu, metric.inverse());
+    const Eigen::Vector3d twice(1.0, 1.0, 2.0);  // b_12 stands for b_21, too
+    point.bending = std::pow(given.thickness, 3) / 12.0 * plane *
+                    (twice.asDiagonal() * plane_stress(nu, metric.inverse()) * twice.asDiagonal());
     triangle.points.push_back(point);
   }
   std::array<int, 18> entries{};
@@ -122,7 +96,7 @@ void Shell::add_edges(const mesh::BodyMesh& mesh) {
   std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> sides;  // corners -> triangle and edge
   for (int t = 0; t < triangles(); ++t)
     for (int e = 0; e < 3; ++e) {
-      const int a = triangles_[t].nodes[edge_nodes[e][0]], b = triangles_[t].nodes[edge_nodes[e][1]];
+      const int a = triangles_[t].nodes[triangle_edges[e][0]], b = triangles_[t].nodes[triangle_edges[e][1]];
       sides[std::minmax(a, b)].push_back({t, e});
     }
   const std::map<int, std::set<int>> held = held_axes(mesh);
@@ -134,7 +108,7 @@ void Shell::add_edges(const mesh::BodyMesh& mesh) {
                               "a shell is one surface: take the branch away");
     if (keeps_angle(mesh, held, ends)) {
       const auto [t, e] = around.front();
-      for (const int a : edge_nodes[e]) used.insert(triangles_[t].nodes[a]);
+      for (const int a : triangle_edges[e]) used.insert(triangles_[t].nodes[a]);
       for (const auto& side : around) add_edge({side});
     } else if (around.size() == 2) {
       add_edge(around);
@@ -160,32 +134,22 @@ void Shell::check_rotations(const mesh::BodyMesh& mesh, const std::map<int, std:
 }
 
 void Shell::add_edge(const std::vector<std::pair<int, int>>& sides) {
-  Edge edge;
+  EdgeSides edge;
   std::vector<TriangleNodes> X;
   for (const auto& [t, e] : sides) {
-    edge.triangles.push_back(t);
+    edge.add(t, triangles_[t].nodes);
     X.push_back(reference(t));
-    std::array<int, 6>& at = edge.at.emplace_back();
-    for (int a = 0; a < 6; ++a) {
-      const int node = triangles_[t].nodes[a];
-      const auto found = std::find(edge.nodes.begin(), edge.nodes.end(), node);
-      at[a] = static_cast<int>(found - edge.nodes.begin());
-      if (found == edge.nodes.end()) edge.nodes.push_back(node);
-    }
   }
   const bool clamped = sides.size() == 1;
-  const double g = std::sqrt(0.6), share = clamped ? 1.0 : 0.5;
-  for (const auto& [s, weight] : {std::pair{-g, 5.0 / 18.0}, {0.0, 8.0 / 18.0}, {g, 5.0 / 18.0}}) {
+  const double share = clamped ? 1.0 : 0.5;
+  for (int q = 0; q < 3; ++q) {
     EdgePoint point;
     for (std::size_t k = 0; k < sides.size(); ++k) {
       const auto [t, e] = sides[k];
       const Triangle& triangle = triangles_[t];
-      const Eigen::Vector2d from = node_place(edge_nodes[e][0]), to = node_place(edge_nodes[e][1]);
-      // The second side runs the edge backwards: the same point, the same direction in space.
-      const double r = k == 0 ? 0.5 * (1.0 + s) : 0.5 * (1.0 - s);
       EdgeSide& side = point.side[k];
-      side.place = triangle_place(from + r * (to - from));
-      side.along = k == 0 ? Eigen::Vector2d(to - from) : Eigen::Vector2d(from - to);
+      const EdgePlace at = edge_place(e, q, k == 1);
+      side.place = at.place, side.along = at.along;
       const ShellPoint p = shell_point(X[k], side.place);
       const Eigen::Vector3d T = p.tangent * side.along, conormal = T.normalized().cross(p.normal);
       const Eigen::Vector2d nu = p.tangent.transpose() * conormal;
@@ -193,11 +157,11 @@ void Shell::add_edge(const std::vector<std::pair<int, int>>& sides) {
       const ShellElasticity& el = triangle.elasticity;
       const double D = bending_stiffness(el, triangle.thickness);
       // m = M^ab nu_a nu_b, M = D C : K; each component of b counts once.
-      const Eigen::Vector3d q = D * plane_stress(el.poisson_ratio, inverse_metric) *
+      const Eigen::Vector3d m = D * plane_stress(el.poisson_ratio, inverse_metric) *
                                 Eigen::Vector3d(nu[0] * nu[0], nu[1] * nu[1], 2.0 * nu[0] * nu[1]);
-      side.moment = {q[0], q[1], 2.0 * q[2]};
+      side.moment = {m[0], m[1], 2.0 * m[2]};
       side.reference_b = p.b;
-      if (k == 0) point.weight = weight * T.norm();
+      if (k == 0) point.weight = edge_weight(q) * T.norm();
       if (clamped) point.fixed_normal = p.normal;
       double area = 0.0;
       for (const Point& inner : triangle.points) area += inner.weight;
@@ -234,33 +198,23 @@ void Shell::add_point(const TriangleNodes& x, const TriangleNodes& X, const Tria
   membrane.tangent = triangle.membrane;
   add_membrane_point<6>(x, point.frame_gradient, point.weight, membrane, tangent, element);
 
-  static constexpr std::array<int, 6> own = {0, 1, 2, 3, 4, 5};
-  const ShellPoint p = shell_point(x, point.place);
-  const Eigen::Vector3d twice(1.0, 1.0, 2.0);
-  const Eigen::Vector3d K = (p.b - point.reference_b).cwiseProduct(twice), M = point.bending * K, mu = M.cwiseProduct(twice);
-  const Eigen::Vector3d deflection = (x - X) * point.N;
-  const double w = deflection.dot(point.normal), k = triangle.foundation;
-  element.energy += point.weight * 0.5 * (K.dot(M) + k * w * w);
-  const Eigen::Matrix<double, 6, 1> c = p.c * mu;
+  add_bending_point(shell_point(x, point.place), point.reference_b, point.bending, point.weight, tangent, true, element);
+  const double deflection = ((x - X) * point.N).dot(point.normal), k = triangle.foundation;
+  if (k == 0.0) return;
+  element.energy += point.weight * 0.5 * k * deflection * deflection;
   for (int a = 0; a < 6; ++a)
-    element.residual.segment<3>(3 * a) += point.weight * (c[a] * p.normal + k * w * point.N[a] * point.normal);
+    element.residual.segment<3>(3 * a) += point.weight * k * deflection * point.N[a] * point.normal;
   if (!tangent) return;
-  const Eigen::Matrix<double, 6, 3> c2 = p.c * twice.asDiagonal();
-  const Eigen::Matrix<double, 6, 6> stiff = point.weight * c2 * point.bending * c2.transpose(),
-                                    springs = point.weight * k * point.N * point.N.transpose();
-  const Eigen::Matrix3d nn = p.normal * p.normal.transpose(), NN = point.normal * point.normal.transpose();
-  Eigen::MatrixXd more = Eigen::MatrixXd::Zero(18, 18);
+  const Eigen::Matrix3d NN = point.weight * k * point.normal * point.normal.transpose();
   for (int a = 0; a < 6; ++a)
-    for (int b = 0; b < 6; ++b) more.block<3, 3>(3 * a, 3 * b) = stiff(a, b) * nn + springs(a, b) * NN;
-  add_second_form_hessian(p, point.weight * mu, own, more);
-  element.matrix += more;
+    for (int b = 0; b < 6; ++b) element.matrix.block<3, 3>(3 * a, 3 * b) += point.N[a] * point.N[b] * NN;
 }
 
-EdgeElement Shell::edge_element(const State& state, const Edge& edge, bool tangent) const {
+EdgeElement Shell::edge_element(const State& state, const EdgeSides& edge, bool tangent) const {
   EdgeElement element(3 * static_cast<int>(edge.nodes.size()));
   std::vector<TriangleNodes> x;
   for (const int t : edge.triangles) x.push_back(positions(state, t));
-  for (const EdgePoint& point : edge.points) add_edge_point(x, point, edge.at, tangent, element);
+  for (const EdgePoint& point : edge.points) add_edge_point(x, point, edge.at, tangent, true, element);
   return element;
 }
 
@@ -273,7 +227,7 @@ double Shell::energy(const State& state) const {
       add_point(positions(state, t), reference(t), triangles_[t], point, false, element);
     sum += element.energy;
   }
-  for (const Edge& edge : edges_) sum += edge_element(state, edge, false).energy;
+  for (const EdgeSides& edge : edges_) sum += edge_element(state, edge, false).energy;
   return sum;
 }
 
@@ -344,7 +298,7 @@ Eigen::Matrix<double, 6, 6> Shell::nodal_stress(const State& state, int t, doubl
   const double z = 0.5 * height * triangle.thickness;
   Eigen::Matrix<double, 6, 6> stress;
   for (int a = 0; a < 6; ++a) {
-    const TrianglePlace place = triangle_place(node_place(a));
+    const TrianglePlace place = triangle_place(triangle_node(a));
     const ShellPoint now = shell_point(x, place), rest = shell_point(X, place);
     const Eigen::Matrix2d A = rest.tangent.transpose() * rest.tangent;
     const Eigen::Matrix2d E = 0.5 * (now.tangent.transpose() * now.tangent - A);

@@ -54,7 +54,7 @@ class Shell : public Term {
     Derivatives<6> frame_gradient;      ///< along an orthonormal frame of the reference, 1/m
     Eigen::Matrix<double, 6, 1> N;
     Eigen::Vector3d normal, reference_b;
-    Eigen::Matrix3d bending;            ///< h^3/12 C along the coordinates, N m
+    Eigen::Matrix3d bending;            ///< h^3/12 C along the coordinates (11, 22, 12), N m
     double weight = 0.0;                ///< reference area, m2
   };
   struct Triangle {
@@ -63,12 +63,6 @@ class Shell : public Term {
     double thickness = 0.0, foundation = 0.0;
     ShellElasticity elasticity;
     std::vector<Point> points;
-  };
-  struct Edge {
-    std::vector<int> triangles;               ///< one or two
-    std::vector<std::array<int, 6>> at;       ///< places of their nodes in the element
-    std::vector<int> nodes;                   ///< of the element
-    std::vector<EdgePoint> points;
   };
 
   void add_triangle(const mesh::ShellTriangle& given, const ShellElasticity& elasticity);
@@ -79,13 +73,13 @@ class Shell : public Term {
   TriangleNodes reference(int triangle) const;
   void add_point(const TriangleNodes& x, const TriangleNodes& X, const Triangle& triangle, const Point& point, bool tangent,
                  MembraneElement<6>& element) const;
-  EdgeElement edge_element(const State& state, const Edge& edge, bool tangent) const;
+  EdgeElement edge_element(const State& state, const EdgeSides& edge, bool tangent) const;
 
   Layout layout_;
   input::Location where_;
   std::vector<Eigen::Vector3d> reference_;
   std::vector<Triangle> triangles_;
-  std::vector<Edge> edges_;
+  std::vector<EdgeSides> edges_;
   ElementEntries entries_;  ///< triangles first, then edges
 };
 

@@ -11,6 +11,8 @@
 #include <array>
 #include <vector>
 
+#include "solver/terms/membrane_kernel.hpp"
+
 namespace snug::solver {
 
 using TriangleNodes = Eigen::Matrix<double, 3, 6>;
@@ -37,6 +39,18 @@ ShellPoint shell_point(const TriangleNodes& x, const TrianglePlace& place);
 ///   d2 b_I(a, b) = -c_aI g_b n' - c_bI n g_a' - b_I (g_a . g_b) n n'.
 void add_second_form_hessian(const ShellPoint& p, const Eigen::Vector3d& mu, const std::array<int, 6>& at,
                              Eigen::Ref<Eigen::MatrixXd> matrix);
+
+/// Adds weight times  (b - B).Q.(b - B)/2  and its derivatives, Q a stiffness (N m) along the coordinates (11, 22, 12).
+/// Without its `geometric` part, which may be indefinite, the tangent is positive semidefinite.
+void add_bending_point(const ShellPoint& p, const Eigen::Vector3d& reference_b, const Eigen::Matrix3d& Q, double weight,
+                       bool tangent, bool geometric, MembraneElement<6>& element);
+
+/// Three points, exact to degree 2, which do not lock (see the definition); weights add up to 1/2.
+struct BendingRulePoint {
+  Eigen::Vector2d xi;
+  double weight = 0.0;
+};
+const std::array<BendingRulePoint, 3>& bending_rule();
 
 /// Plane stress stiffness per E/(1 - nu^2) along the coordinates, for strains (11, 22, 2 x 12): (1 - nu)/2
 /// (A^ac A^bd + A^ad A^bc) + nu A^ab A^cd.
@@ -69,9 +83,38 @@ struct EdgeElement {
   explicit EdgeElement(int size) : residual(Eigen::VectorXd::Zero(size)), matrix(Eigen::MatrixXd::Zero(size, size)) {}
 };
 void add_edge_point(const std::vector<TriangleNodes>& x, const EdgePoint& point, const std::vector<std::array<int, 6>>& at,
-                    bool tangent, EdgeElement& element);
+                    bool tangent, bool geometric, EdgeElement& element);
 
 /// The angle itself.
 double edge_angle(const std::vector<TriangleNodes>& x, const EdgePoint& point);
+
+/// Corners and middle of each edge of a triangle, turning with it.
+inline constexpr std::array<std::array<int, 3>, 3> triangle_edges = {{{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}};
+/// Place of a node (corners, then middles) on the reference triangle.
+Eigen::Vector2d triangle_node(int a);
+
+/// An edge as an element: one or two triangles that turn the same way, so that the second runs the edge backwards.
+struct EdgeSides {
+  std::vector<int> triangles;
+  std::vector<std::array<int, 6>> at;  ///< places of their nodes in the element
+  std::vector<int> nodes;              ///< of the element
+  std::vector<EdgePoint> points;
+
+  /// Takes a triangle with these nodes in.
+  void add(int triangle, const std::array<int, 6>& triangle_nodes);
+};
+
+/// The places of a side at Gauss point `q` of 3 along the edge `edge` of its triangle; `second`: it runs backwards.
+struct EdgePlace {
+  TrianglePlace place;
+  Eigen::Vector2d along;
+};
+EdgePlace edge_place(int edge, int q, bool second);
+/// Weight of Gauss point q; they add up to 1.
+double edge_weight(int q);
+
+/// Penalty (N, moment per length and angle) that keeps the energy of flat triangles positive for every jump: a side's
+/// `stiffness` across the edge (N m), the edge's length and the triangle's area; `share`: 1/2 inside, 1 on a clamped edge.
+double edge_penalty(double share, double stiffness, double length, double area);
 
 }  // namespace snug::solver

@@ -11,6 +11,7 @@
 
 #include "solver/stepping/load_path.hpp"
 #include "solver/terms/dead_load.hpp"
+#include "solver/terms/fabric_bending.hpp"
 #include "solver/terms/garment_shape.hpp"
 #include "solver/terms/pressure_load.hpp"
 
@@ -122,6 +123,15 @@ struct Sheet {
     for (int i = 0; i < layout.size(); ++i) master[i] = i;
   }
   int size() const { return static_cast<int>(mesh.pattern.size()); }
+  /// Joins nodes whose places satisfy `left` to those of equal height that satisfy `right`.
+  void sew(const std::function<bool(const Plane&)>& left, const std::function<bool(const Plane&)>& right) {
+    for (int a = 0; a < size(); ++a)
+      for (int b = 0; b < size(); ++b)
+        if (left(mesh.pattern[a]) && right(mesh.pattern[b]) && std::abs(mesh.pattern[a].y() - mesh.pattern[b].y()) < 1e-9) {
+          mesh.merged[b] = a;
+          for (int c = 0; c < 3; ++c) master[layout.garment(b, c)] = layout.garment(a, c);
+        }
+  }
   /// Holds components of the nodes whose place in the pattern satisfies `where`.
   void hold(const std::vector<int>& components, const std::function<bool(const Plane&)>& where) {
     for (int node = 0; node < size(); ++node)
@@ -133,6 +143,7 @@ struct Sheet {
     auto membrane = std::make_unique<solver::FabricMembrane>(layout, mesh, fabric);
     membrane->set_final_eta(eta);
     scene.add(std::move(membrane));
+    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>(layout, mesh, fabric.bending));
     if (pressure != 0.0) {
       auto load = std::make_unique<solver::PressureLoad>(layout, mesh, -pressure);
       load->hold_border(scene.numbering());
@@ -151,7 +162,7 @@ struct Sheet {
     });
     EXPECT_TRUE(answer.complete) << answer.message << " at " << answer.reached;
   }
-  Eigen::Vector3d at(int node) const { return answer.state.values.segment<3>(layout.garment(node)); }
+  Eigen::Vector3d at(int node) const { return answer.state.values.segment<3>(layout.garment(mesh.merged[node])); }
   int node_at(const Plane& place) const {
     int best = 0;
     for (int node = 1; node < size(); ++node)

@@ -36,7 +36,7 @@ TEST(Data, EveryEntryCanBeRead) {
     EXPECT_GT(f.warp.smallest_stiffness(), 0.0) << name;
     EXPECT_LT(f.coupling, f.warp.smallest_stiffness()) << name;
     EXPECT_GT(f.areal_density, 0.1) << name;
-    EXPECT_GT(f.bending, 0.0) << name;
+    EXPECT_GT(f.bending.warp, 0.0) << name;
   }
   for (const auto& name : materials::tissue_names()) {
     const auto tissue = find_tissue(named(name));
@@ -58,7 +58,7 @@ TEST(Data, WearTrialFabric) {
   EXPECT_NEAR(f.shear, 0.66 * 56.18796562, 1e-6);
   EXPECT_NEAR(f.areal_density, 0.215, 1e-12);
   EXPECT_NEAR(f.thickness, 0.57e-3, 1e-15);
-  EXPECT_NEAR(f.bending, 0.02 * 9.80665e-5, 1e-15);
+  EXPECT_NEAR(f.bending.warp, 0.02 * 9.80665e-5, 1e-15);
   EXPECT_NEAR(f.coupling, 0.2 * f.warp.smallest_stiffness(), 1e-12);
 }
 

@@ -1,0 +1,89 @@
+// Bending of the garment against the elastica: the cantilever test of fabrics, strips across warp and weft, a sewn loop.
+#include "tests/verification/book.hpp"
+#include "tests/verification/membrane_scene.hpp"
+
+namespace snug::tests {
+namespace {
+
+/// A fabric of bending stiffness B and 4 B along the weft, hardly stretched: of effective thickness sqrt(12 B/k).
+materials::Fabric bending_fabric(double B, double thickness) {
+  materials::Fabric fabric = isotropic(12.0 * B / (thickness * thickness), 0.0);
+  fabric.bending = {B, 4.0 * B};
+  return fabric;
+}
+
+/// A strip from x = -L to L, 2 cells across, held along its middle and hanging the same way on both sides: where the halves
+/// meet it is clamped, and the moment goes on.
+Sheet strip(int cells, double L, const materials::Fabric& fabric) {
+  Sheet sheet(mapped_sheet(2 * cells, 2, [=](double u, double v) { return Plane(L * (2.0 * u - 1.0), 2.0 * L / cells * v); }), fabric);
+  sheet.hold({0, 1, 2}, [](const Plane& x) { return std::abs(x.x()) < 1e-9; });
+  for (int node = 0; node < sheet.size(); ++node)
+    if (const Plane& x = sheet.mesh.pattern[node]; x.x() < -1e-9)
+      sheet.master[sheet.layout.garment(node, 2)] = sheet.layout.garment(sheet.node_at({-x.x(), x.y()}), 2);
+  sheet.eta = 1.0;  // what it does in compression is not asked here
+  return sheet;
+}
+
+// A strip that hangs over an edge by its own weight, q = w L^3/B (Peirce's cantilever; bending length c = (B/w)^(1/3) = L/2
+// at q = 8, where the chord falls at 41.5 degrees), comes to the place of the heavy elastica.
+TEST(FabricBending, AStripUnderItsOwnWeightHangsAsTheHeavyElastica) {
+  struct Row { double q, x, y; };
+  const double L = 0.03, w = 2.1;
+  for (const Row& row : {Row{2.0, 0.9668929469, 0.2385065829}, Row{8.0, 0.7244247341, 0.6406307174}, Row{20.0, 0.4452320522, 0.8298814434}}) {
+    const double B = w * L * L * L / row.q;
+    Sheet sheet = strip(40, L, bending_fabric(B, 1e-2 * L));
+    solver::add_weight(sheet.mesh, w / 9.80665, {0.0, 0.0, -9.80665}, sheet.forces);
+    sheet.settings.first_step = 0.1, sheet.settings.intermediate_residual = 1e-6;
+    sheet.solve();
+    const Eigen::Vector3d tip = sheet.at(sheet.node_at({L, L / 40}));
+    const std::string scene = fmt::format("fabric cantilever, w L^3/B = {}", row.q);
+    book(scene, "x of the tip over L", tip.x() / L, row.x, 1e-3, "reference book 2.3: heavy elastica (s04)");
+    book(scene, "fall of the tip over L", -tip.z() / L, row.y, 1e-3, "reference book 2.3: heavy elastica (s04)");
+  }
+}
+
+// Under a small weight w a cantilever of length L sinks by w L^4/(8 B): B of the warp for a strip cut along it, of the weft for
+// one across. With constant curvature in every triangle the error falls by four at least with half the edge.
+TEST(FabricBending, StripsAlongWarpAndWeftBendByTheirOwnStiffness) {
+  const double L = 0.03, B = 2e-6;
+  for (const bool along : {true, false}) {
+    const double stiffness = along ? B : 4.0 * B, w = 1e-3 * L * 8.0 * stiffness / std::pow(L, 4);
+    const auto sag = [&](int cells) {
+      Sheet sheet = strip(cells, L, bending_fabric(B, 1e-2 * L));
+      if (!along) sheet.mesh.warp.assign(sheet.mesh.triangles.size(), Plane::UnitY());
+      solver::add_weight(sheet.mesh, w / 9.80665, {0.0, 0.0, -9.80665}, sheet.forces);
+      sheet.solve();
+      return -sheet.at(sheet.node_at({L, L / cells})).z() * 8.0 * stiffness / (w * std::pow(L, 4));
+    };
+    const double coarse = sag(20), fine = sag(40);
+    book(fmt::format("fabric strip along the {}", along ? "warp" : "weft"), "sag 8 B/(w L^4)", fine, 1.0, 1e-3, "beam theory");
+    EXPECT_GE((coarse - 1.0) / (fine - 1.0), 4.0);
+  }
+}
+
+// A strip sewn to a loop is round, M = 2 pi B/L everywhere, whatever it is placed as; its seam is held flat by what it joins.
+TEST(FabricBending, ASewnLoopIsRound) {
+  const double L = 0.06, B = 2e-6, width = L / 12;
+  Sheet sheet(mapped_sheet(36, 3, [=](double u, double v) { return Plane(L * u, width * v); }), bending_fabric(B, 1e-2 * L));
+  sheet.eta = 1.0;
+  sheet.sew([](const Plane& x) { return x.x() < 1e-9; }, [=](const Plane& x) { return x.x() > L - 1e-9; });
+  const double radius = L / (2.0 * std::numbers::pi);
+  for (int node = 0; node < sheet.size(); ++node) {
+    const Plane& x = sheet.mesh.pattern[sheet.mesh.merged[node]];
+    const double angle = x.x() / radius;
+    sheet.mesh.placed[node] = {1.2 * radius * std::cos(angle), 0.78 * radius * std::sin(angle), x.y()};
+  }
+  // As a body it may not move: one node stands, another one stays in its plane, a third one at its height.
+  sheet.hold({0, 1, 2}, [](const Plane& x) { return x.norm() < 1e-9; });
+  sheet.hold({1, 2}, [=](const Plane& x) { return (x - Plane(0.5 * L, 0.0)).norm() < 1e-9; });
+  sheet.hold({2}, [=](const Plane& x) { return (x - Plane(L * 9 / 36, 0.0)).norm() < 1e-9; });
+  sheet.solve();
+  const double energy = solver::FabricBending(sheet.layout, sheet.mesh, sheet.fabric.bending).energy(sheet.answer.state);
+  book("sewn loop", "bending energy L/(B width)", energy * L / (B * width), 19.7392088, 2e-3, "reference book 2.3: welded seam, 2 pi^2");
+  const double across = (sheet.at(sheet.node_at({0.0, 0.0})) - sheet.at(sheet.node_at({0.5 * L, 0.0}))).norm();
+  const double deep = (sheet.at(sheet.node_at({0.25 * L, 0.0})) - sheet.at(sheet.node_at({0.75 * L, 0.0}))).norm();
+  book("sewn loop", "its two diameters", deep / across, 1.0, 1e-3, "a circle");
+}
+
+}  // namespace
+}  // namespace snug::tests
