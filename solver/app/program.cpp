@@ -50,7 +50,7 @@ int execute(Command& command) {
     return input_wrong;
   } catch (const std::filesystem::filesystem_error& error) {
     const input::Location where{error.path1().empty() ? command.name() : error.path1().string(), 0, 0};
-    fmt::print(stderr, "{}\n", to_string({where, error.code().message(), "see what this path leads to and who may read and write it"}));
+    fmt::print(stderr, "{}\n", input::to_string({where, error.code().message(), "see what this path leads to and who may read and write it"}));
     return input_wrong;
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "snug {}: error: the memory of the machine is used up; take fewer cells (snug check tells what a case needs)\n", command.name());

@@ -15,6 +15,8 @@ namespace {
 
 // Distance of neighbouring vertices of the garment over that of neighbouring nodes of the skin, where these are soft.
 constexpr double closer = 0.85;
+// Of a skin whose cells are longer than this the short side counts: the garment bends round the limb by it.
+constexpr double needle = 3.0;
 
 std::vector<mesh::FacetNodeNumbers> covered_facets(const mesh::BodyMesh& body, const std::vector<char>& covered) {
   std::vector<mesh::FacetNodeNumbers> facets;
@@ -34,7 +36,7 @@ double softest_shear_modulus(const mesh::BodyMesh& body) {
 }
 
 double worn_cell_size(const input::Case& description, const mesh::Limb& limb, const mesh::BodyMesh& body) {
-  const double usual = 0.6 * body.mean_skin_cell;
+  const double usual = 0.6 * std::min(body.mean_skin_cell, needle * mesh::shortest_edge(body, body.skin_facets));
   if (description.solver.tier != "L4" || !description.contact) return usual;
   const auto fabric = materials::find_fabric(description.garment->fabric);
   const LaplacePressure expected = laplace_pressure(*description.garment, fabric, limb, body);
