@@ -88,6 +88,7 @@ struct Iteration {  ///< one row of history.csv
 struct Balance {
   Eigen::Vector3d garment_force = Eigen::Vector3d::Zero();   ///< N, skin on garment
   Eigen::Vector3d skin_force = Eigen::Vector3d::Zero();      ///< N, garment on skin
+  Eigen::Vector3d garment_weight = Eigen::Vector3d::Zero();  ///< N, of the fabric, where the scene has it
   Eigen::Vector3d force_error = Eigen::Vector3d::Zero();     ///< N, sum of all forces on body and garment
   Eigen::Vector3d moment_error = Eigen::Vector3d::Zero();    ///< N m, about the origin
   double contact_force = 0.0;                                ///< N, sum of |normal point forces|

@@ -109,13 +109,15 @@ Json comfort_json(const Evaluation& evaluation) {
 Json balance_json(const Balance& balance) {
   Json reactions = Json::object();
   for (const auto& [name, force] : balance.reactions) reactions[name] = vector_json(force);
-  return {{"garment_force_N", vector_json(balance.garment_force)},
-          {"skin_force_N", vector_json(balance.skin_force)},
-          {"force_error_N", vector_json(balance.force_error)},
-          {"moment_error_Nm", vector_json(balance.moment_error)},
-          {"contact_force_N", balance.contact_force},
-          {"friction_force_N", balance.friction_force},
-          {"reactions_N", reactions}};
+  Json json = {{"garment_force_N", vector_json(balance.garment_force)},
+               {"skin_force_N", vector_json(balance.skin_force)},
+               {"force_error_N", vector_json(balance.force_error)},
+               {"moment_error_Nm", vector_json(balance.moment_error)},
+               {"contact_force_N", balance.contact_force},
+               {"friction_force_N", balance.friction_force},
+               {"reactions_N", reactions}};
+  if (!balance.garment_weight.isZero(0.0)) json["garment_weight_N"] = vector_json(balance.garment_weight);
+  return json;
 }
 
 Json donning_json(const RunResult& run) {

@@ -18,7 +18,6 @@ struct Unavailable {
 /// Inputs that are planned, so that they are not mistaken for misspellings.
 std::vector<Unavailable> unavailable() {
   return {
-      {"garment", "bending", "bending is not available yet; leave it out"},
       {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"}};
 }
 

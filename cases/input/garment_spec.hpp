@@ -1,6 +1,7 @@
 // What a case says about the garment.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct GarmentSpec {
   double position = 0.0;       ///< m; height of the lower edge as placed
   double cell_size = 0.0;      ///< m, on the pattern; 0 = by the skin's cells
   int order = 2;               ///< of the triangles
+  std::optional<bool> bending, weight;
   std::vector<HeldEdge> held;
   Location where;
 
@@ -79,6 +81,14 @@ struct GarmentSpec {
                 .meaning = "2: quadratic triangles; 1: linear ones, to see what quadratic ones bring",
                 .bound = between(1, 2)},
           self.order);
+    field(Field{.key = "bending",
+                .meaning = "true: the fabric's bending stiffness is part of the scene; left out: where a part of the garment "
+                           "is wider than the body as placed"},
+          self.bending);
+    field(Field{.key = "weight",
+                .meaning = "true: the fabric's weight is part of the scene, along load.gravity or else down the body's axis; "
+                           "left out: where a part of the garment is wider than the body as placed"},
+          self.weight);
     field(Field{.key = "held", .meaning = "edges that the wearer or a band holds"}, self.held);
   }
 };

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <numbers>
 #include <stdexcept>
 
 #include "mesh/garment/arc_length.hpp"
@@ -46,20 +48,62 @@ std::vector<int> sew(const PatternMesh& pattern) {
   return nodes.representatives();
 }
 
+/// The curve parallel to the skin of a limb at a distance outwards.
+class Parallel : public Outline {
+ public:
+  Parallel(const Outline& skin, double distance) : skin_(skin), distance_(distance) {}
+  Eigen::Vector3d at(double turn, double z) const override {
+    return skin_.at(turn, z) + distance_ * outward_normal(skin_, turn, z);
+  }
+
+ private:
+  const Outline& skin_;
+  double distance_;
+};
+
+/// How far off the skin a garment of this width stands at height z: a curve parallel to a closed one is longer by 2 pi times
+/// the distance. Not so far that the parallel curve folds where the section is hollow.
+double distance(const Limb& limb, const SectionArc& skin, double z, double width, double lift) {
+  const double wide = (width - skin.girth()) / (2.0 * std::numbers::pi);
+  if (wide <= lift) return lift;
+  double hollow = 0.0;  // 1/m
+  constexpr int samples = 64;
+  for (int i = 0; i < samples; ++i)
+    hollow = std::max(hollow, -limb.skin_curvature(static_cast<double>(i) / samples, z).x());
+  return std::max(lift, hollow > 0.0 ? std::min(wide, 0.5 / hollow) : wide);
+}
+
+/// Where the garment runs round the limb at one height.
+struct Section {
+  double distance = 0.0;                ///< m
+  std::unique_ptr<Outline> parallel;    ///< where it is wider than the limb
+  std::unique_ptr<SectionArc> arc;      ///< of it, else of the skin
+};
+
+Section section(const Limb& limb, double z, double width, double lift) {
+  Section s;
+  s.arc = std::make_unique<SectionArc>(*limb.skin, z, seam_turn);
+  s.distance = distance(limb, *s.arc, z, width, lift);
+  if (s.distance == lift) return s;
+  s.parallel = std::make_unique<Parallel>(*limb.skin, s.distance);
+  s.arc = std::make_unique<SectionArc>(*s.parallel, z, seam_turn);
+  return s;
+}
+
 /// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from
 /// outside.
-std::vector<Eigen::Vector3d> place(const PatternMesh& pattern, const std::vector<int>& merged, double position,
-                                   double width, const Limb& limb, double lift) {
-  std::map<double, SectionArc> arcs;  // the nodes of an edge share a height
-  std::vector<Eigen::Vector3d> placed;
-  for (std::size_t n = 0; n < pattern.nodes.size(); ++n) {
-    const Eigen::Vector2d& x = pattern.nodes[merged[n]];
+void place(double position, double width, const Limb& limb, double lift, GarmentMesh& mesh) {
+  std::map<double, Section> sections;  // the nodes of an edge share a height
+  for (std::size_t n = 0; n < mesh.pattern.size(); ++n) {
+    const Eigen::Vector2d& x = mesh.pattern[mesh.merged[n]];
     const double z = position + x.y();
-    const SectionArc& arc = arcs.try_emplace(z, *limb.skin, z, seam_turn).first->second;
-    const double turn = arc.turn_at(x.x() / width);
-    placed.push_back(limb.skin->at(turn, z) + lift * outward_normal(*limb.skin, turn, z));
+    auto it = sections.find(z);
+    if (it == sections.end()) it = sections.emplace(z, section(limb, z, width, lift)).first;
+    const Section& s = it->second;
+    const double turn = s.arc->turn_at(x.x() / width);
+    mesh.placed.push_back(limb.skin->at(turn, z) + s.distance * outward_normal(*limb.skin, turn, z));
+    if (s.parallel) mesh.stand_off = std::max(mesh.stand_off, s.distance);
   }
-  return placed;
 }
 
 /// How far the limb stretches the garment round it, in the mean over the cover; at least 1.
@@ -100,7 +144,7 @@ GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, 
   mesh.pattern = pattern.nodes;
   mesh.triangles = pattern.triangles;
   mesh.merged = sew(pattern);
-  mesh.placed = place(pattern, mesh.merged, spec.position, width, limb, lift);
+  place(spec.position, width, limb, lift, mesh);
   const Eigen::Vector2d warp = spec.warp == "around" ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
   mesh.warp.assign(mesh.triangles.size(), warp);
   for (const char* edge : {"lower", "upper"}) mesh.edges[edge] = representatives(pattern.sides.at(edge), mesh.merged);

@@ -22,6 +22,8 @@ struct GarmentMesh {
   std::map<std::string, std::vector<int>>
       edges;               ///< named edges ("upper", "lower"): representative nodes, mid-edge nodes too
   double mean_edge = 0.0;  ///< m, in the pattern
+  /// m, how far off the skin the garment is placed at most because it is wider than the body there; 0: nowhere.
+  double stand_off = 0.0;
   /// 2: quadratic triangles. 1: linear triangles, for comparison: mid-edge nodes carry no unknowns and follow their edge.
   int order = 2;
 };
@@ -29,7 +31,8 @@ struct GarmentMesh {
 /// Meshes the pattern with gmsh (irregular triangles, equal divisions along both sides of a seam) and wraps it round
 /// the limb with its seam at the inner side (turn 0.5), lifted to `lift` off the skin along its normal. Edges are about
 /// `worn_size` (m) on the garment as it is worn, stretched round the limb, or `spec.cell_size` on the pattern where the
-/// case gives one. Throws input::InputError when the garment does not fit between the cut planes or a size is not positive.
+/// case gives one. At heights where it is longer than the skin so lifted it is placed at its own size instead, on the curve
+/// parallel to the skin that is as long. Throws input::InputError when the garment does not fit between the cut planes or a size is not positive.
 GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift = 2e-4);
 
 }  // namespace snug::mesh

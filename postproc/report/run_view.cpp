@@ -91,6 +91,8 @@ Json balance_view(const Json& summary) {
     add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
     add("Penetration", number(1e3 * value_at(summary, "max_penetration_m")) + " mm", "at most");
   }
+  if (const double weight = length(balance.value("garment_weight_N", Json::array())); weight > 0.0)
+    add("Weight of the garment", number(weight) + " N", "");
   const Json reactions = balance.value("reactions_N", Json::object());
   for (const auto& [name, force_vector] : reactions.items())
     add("Reaction, " + name, joined(force_vector, contact) + " N", "x, y, z");

@@ -46,6 +46,8 @@ std::string balance_text(const postproc::RunResult& run) {
   if (balance.contact_force > 0.0)
     text += fmt::format(", {:.1e} of the contact force {:.3g} N", force / balance.contact_force, balance.contact_force);
   text += fmt::format("\n  moment balance     {:.2e} N m\n", balance.moment_error.norm());
+  if (const double weight = balance.garment_weight.norm(); weight > 0.0)
+    text += fmt::format("  weight of garment  {:.3g} N\n", weight);
   for (const auto& [name, reaction] : balance.reactions)
     text += fmt::format("  reaction           {}: {:.3g} {:.3g} {:.3g} N (x y z)\n", name, reaction.x(), reaction.y(),
                         reaction.z());

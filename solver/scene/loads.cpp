@@ -4,6 +4,7 @@
 
 #include "solver/scene/supports.hpp"
 #include "solver/terms/dead_load.hpp"
+#include "solver/terms/fabric_bending.hpp"
 #include "solver/terms/pressure_load.hpp"
 
 namespace snug::solver {
@@ -61,6 +62,23 @@ std::vector<mesh::FacetPressure> surface_pressures(const input::LoadSpec& load, 
   if (load.skin_pressure != 0.0) pressures.push_back({body.skin_facets, load.skin_pressure});
   for (const auto& p : load.pressure) pressures.push_back({facets_of(body, p.on, p.where), p.value});
   return pressures;
+}
+
+LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMesh& mesh) {
+  const bool loose = mesh.stand_off > 0.0;
+  if (garment.bending.value_or(false) && mesh.order != 2)
+    throw input::InputError(garment.where, "bending takes quadratic triangles and order is 1", "write order = 2, or leave bending out");
+  return {garment.bending.value_or(loose && mesh.order == 2), garment.weight.value_or(loose)};
+}
+
+void add_loose_cloth(const input::Case& description, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric, Scene& scene) {
+  const LooseCloth cloth = loose_cloth(*description.garment, mesh);
+  if (cloth.bending) scene.add(std::make_unique<FabricBending>(scene.layout(), mesh, fabric.bending));
+  if (!cloth.weight) return;
+  const bool given = description.load && description.load->gravity != std::array<double, 3>{0, 0, 0};
+  NodalForces forces(mesh.pattern.size(), Eigen::Vector3d::Zero());
+  add_weight(mesh, fabric.areal_density, vector(given ? description.load->gravity : upright_gravity), forces);
+  scene.add(std::make_unique<DeadLoad>(scene.layout(), NodalForces(), forces));
 }
 
 void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {

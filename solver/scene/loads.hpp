@@ -11,6 +11,18 @@ NodalForces dead_forces(const input::LoadSpec& load, const mesh::BodyMesh& body)
 /// Follower pressures on the skin, on named surfaces and of an imported body.
 std::vector<mesh::FacetPressure> surface_pressures(const input::LoadSpec& load, const mesh::BodyMesh& body);
 
+/// Standard gravity along the body's axis, which is upright; m/s2.
+inline constexpr std::array<double, 3> upright_gravity = {0.0, 0.0, -9.80665};
+
+/// What makes loose cloth hang: whether the scene has the fabric's bending and its weight. Both unless the case says
+/// otherwise where a part of the garment is wider than the body as placed; bending takes quadratic triangles.
+struct LooseCloth {
+  bool bending = false, weight = false;
+};
+LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMesh& mesh);
+/// Adds what of it the scene has; `fabric` has a weight and a bending stiffness (materials::with_usual_sheet).
+void add_loose_cloth(const input::Case& description, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric, Scene& scene);
+
 /// Adds follower pressures, and tractions, forces and weight as one dead load. Throws input::InputError where a load
 /// names a surface that is not there or has no facets.
 void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene);

@@ -7,6 +7,7 @@
 #include "materials/laws/solid_law.hpp"
 #include "solver/scene/constraints.hpp"
 #include "solver/scene/friction_choice.hpp"
+#include "solver/scene/loads.hpp"
 #include "solver/scene/run.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -70,6 +71,25 @@ void list_body(const input::Case& description, const Meshes& meshes, Plan& plan)
     plan.parts_out.push_back("bone: rigid, a fixed boundary without unknowns");
 }
 
+// Why cloth has bending and weight in this scene or not, and where a number is not the fabric's own.
+void list_loose_cloth(const input::GarmentSpec& garment, const materials::Fabric& fabric, const mesh::GarmentMesh& mesh, Plan& plan) {
+  const LooseCloth cloth = loose_cloth(garment, mesh);
+  const materials::Fabric sheet = materials::with_usual_sheet(fabric);
+  const bool loose = mesh.stand_off > 0.0;
+  const std::string why = loose ? fmt::format("the garment is up to {:.3g} mm wider all round than the body", 1e3 * mesh.stand_off)
+                                : "the garment is nowhere wider than the body";
+  const auto put = [&](const std::string& part, bool in, const std::optional<bool>& asked, const std::string& size) {
+    const std::string reason = asked ? "the case says so" : in || !loose ? why : "it takes quadratic triangles";
+    (in ? plan.parts_in : plan.parts_out).push_back(fmt::format("{}: {}{}", part, in ? size + "; " : "", reason));
+  };
+  const auto& B = sheet.bending;
+  put("bending", cloth.bending, garment.bending,
+      fmt::format("{:.3g} N m along the warp, {:.3g} along the weft{}", B.warp, B.weft,
+                  fabric.bending.warp == 0.0 ? " (assumed: a bending length of 12 mm)" : ""));
+  put("weight of the garment", cloth.weight, garment.weight,
+      fmt::format("{:.3g} g/m2{}", 1e3 * sheet.areal_density, fabric.areal_density == 0.0 ? " (assumed)" : ""));
+}
+
 void list_garment(const input::Case& description, const Meshes& meshes, Plan& plan) {
   if (!description.garment) {
     plan.parts_out.push_back("garment: no [garment] in the case");
@@ -92,7 +112,7 @@ void list_garment(const input::Case& description, const Meshes& meshes, Plan& pl
     plan.parts_in.push_back(fmt::format("friction: coefficient {:g} ({})", friction.coefficient, friction.source));
   else
     plan.parts_out.push_back("friction: " + (description.contact ? "none, says " + friction.source : friction.source));
-  plan.parts_out.push_back("bending: not in the case");
+  list_loose_cloth(*description.garment, fabric, meshes.garment, plan);
 }
 
 void list_file_loads(const mesh::BodyMesh& body, Plan& plan) {

@@ -174,12 +174,12 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentM
     for (const int node : nodes) answer(layout.garment(node), hold_of(scene, residual, layout.garment(node)), sum);
     note(name + " edge", sum);
   }
-  if (layout.body_nodes == 0) return;
   const Eigen::VectorXd load = scene.load_forces(state);
-  for (int node = 0; node < layout.body_nodes; ++node) {
-    const Eigen::Vector3d force = load.segment<3>(layout.body(node));
+  for (int first = 0; first < layout.pressure(0); first += 3) {
+    const Eigen::Vector3d force = load.segment<3>(first);
     balance.force_error += force;
-    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout.body(node))).cross(force);
+    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(first)).cross(force);
+    if (first >= layout.garment(0)) balance.garment_weight += force;
   }
 }
 

@@ -316,6 +316,7 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
   scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric, prestretch));
   scene.set_proximal_weights(proximal_weights(layout, garment, fabric));
+  add_loose_cloth(description, garment, materials::with_usual_sheet(fabric), scene);
   if (contact)
     scene.add(std::make_unique<Contact>(layout, garment_slave(layout, garment), body, deformable,
                                         contact_stiffness(fabric, garment, body, skin),

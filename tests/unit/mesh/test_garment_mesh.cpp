@@ -93,6 +93,27 @@ TEST(GarmentMesh, NodesStandTheLiftOffTheSkinAtEqualArcLengths) {
   }
 }
 
+TEST(GarmentMesh, WiderThanTheLimbItIsPlacedAtItsOwnSize) {
+  // On a circle: a circle of its own circumference. On an ellipse: the parallel curve of that length, evenly divided.
+  const double width = 0.36;
+  const GarmentMesh round = make_garment_mesh(tube_spec(width), cylinder(), cell);
+  const double radius = width / (2.0 * std::numbers::pi);
+  for (const Eigen::Vector3d& x : round.placed) EXPECT_NEAR(x.head<2>().norm(), radius, 1e-9);
+  EXPECT_NEAR(round.stand_off, radius - 0.05, 1e-9);
+  const Limb limb = ellipse();
+  const GarmentMesh oval = make_garment_mesh(tube_spec(width), limb, cell);
+  EXPECT_NEAR(oval.stand_off, (width - limb.girth(0.14)) / (2.0 * std::numbers::pi), 1e-9);
+  for (const auto& t : oval.triangles)  // chords of straight and even pieces: as long as the pattern says, and no longer
+    for (int k = 0; k < 3; ++k) {
+      const double flat = (oval.pattern[t[k]] - oval.pattern[t[(k + 1) % 3]]).norm();
+      const double stands = (oval.placed[t[k]] - oval.placed[t[(k + 1) % 3]]).norm();
+      EXPECT_LT(stands, flat + 1e-9);
+      EXPECT_GT(stands, 0.97 * flat);
+    }
+  EXPECT_EQ(sleeve(cylinder()).stand_off, 0.0);
+  EXPECT_EQ(make_garment_mesh(tube_spec(0.1 * std::numbers::pi), cylinder(), cell).stand_off, 0.0);  // just as wide
+}
+
 TEST(GarmentMesh, ASewnTubeHasTheEulerNumberOfATube) {
   const GarmentMesh mesh = sleeve(cylinder());
   std::set<int> vertices, all;
@@ -113,7 +134,7 @@ TEST(GarmentMesh, EdgesListEachSewnNodeOnceWithMidNodes) {
   const GarmentMesh mesh = sleeve(cylinder());
   for (const char* name : {"lower", "upper"}) {
     const auto& edge = mesh.edges.at(name);
-    EXPECT_EQ(edge.size(), 2 * std::lround(0.28 / cell));
+    EXPECT_EQ(edge.size(), 2 * std::lround(limb.girth(0.17) / cell));
     EXPECT_EQ(std::set<int>(edge.begin(), edge.end()).size(), edge.size());
     for (int node : edge) {
       EXPECT_EQ(mesh.merged[node], node);

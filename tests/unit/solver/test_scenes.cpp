@@ -86,6 +86,50 @@ TEST(Parts, EveryPartOfTheFullSceneIsThereOnce) {
               ElementsAre("tissue", "fabric membrane", "contact"));
 }
 
+TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo) {
+  TubeCase tube = coarse();
+  tube.sleeve = 0.058;  // on a limb of 55 mm
+  input::Case c = describe_tube(tube);
+  const auto says = [&](const std::vector<std::string>& list, const std::string& text) {
+    return std::any_of(list.begin(), list.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+  };
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "fabric bending", "dead load", "contact"));
+  const solver::Plan plan = solver::plan(c, make_meshes(c));
+  EXPECT_TRUE(says(plan.parts_in, "bending: 4.24e-06 N m along the warp, 4.24e-06 along the weft (assumed: a bending length of 12 mm); "
+                                  "the garment is up to 3 mm wider all round than the body"));
+  EXPECT_TRUE(says(plan.parts_in, "weight of the garment: 250 g/m2 (assumed)"));
+  c.garment->fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
+  EXPECT_TRUE(says(solver::plan(c, make_meshes(c)).parts_in, "weight of the garment: 100 g/m2; the garment is"));
+  c.garment->bending = false, c.garment->weight = false;
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "contact"));
+  EXPECT_TRUE(says(solver::plan(c, make_meshes(c)).parts_out, "bending: the case says so"));
+
+  c = describe_tube(coarse());
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "contact"));
+  EXPECT_TRUE(says(solver::plan(c, make_meshes(c)).parts_out, "bending: the garment is nowhere wider than the body"));
+  c.garment->bending = true;
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "fabric bending", "contact"));
+  c.garment->order = 1;
+  EXPECT_THROW(term_names(c, Skin::rigid), input::InputError);
+}
+
+/// A loose sleeve hangs from its upper edge: that edge bears its weight, no more and no less.
+TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
+  TubeCase tube = coarse();
+  tube.sleeve = 0.058;
+  tube.tier = "L1";
+  input::Case c = describe_tube(tube);
+  c.garment->held = {{.edge = "upper", .held = "axis"}};
+  c.garment->fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
+  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  EXPECT_EQ(result.status, "converged") << result.message;
+  const double weight = 0.1 * 9.80665 * 2.0 * std::numbers::pi * 0.058 * 0.060;
+  EXPECT_NEAR(result.balance.garment_weight.z(), -weight, 1e-9 * weight);
+  EXPECT_NEAR(result.balance.reactions.at("upper edge").z(), weight, 1e-6 * weight);
+  EXPECT_LE(result.balance.force_error.norm(), 1e-6 * weight);
+  EXPECT_EQ(result.numbers.count("contact_area_m2") ? result.numbers.at("contact_area_m2") : 0.0, 0.0);
+}
+
 /// A sleeve of 40 mm that no edge holds, on a limb of 60 mm whose radius grows from `lower` to `upper`.
 input::Case free_sleeve(double lower, double upper) {
   TubeCase tube = coarse();

@@ -1,0 +1,105 @@
+// Sleeves that are wider than the limb somewhere: cloth stands off there, hangs by its weight, and presses by its hoop
+// tension where it is tight.
+#include "materials/fabric/fabric.hpp"
+#include "tests/verification/book.hpp"
+#include "tests/verification/tube.hpp"
+
+namespace snug::tests {
+namespace {
+
+/// A limb of 90 mm whose radius grows from 46 to 58 mm, and a sleeve of 70 mm from 10 mm up that hangs from its upper edge.
+struct Hanging {
+  double lower = 0.046, upper = 0.058, length = 0.090, position = 0.010, sleeve_length = 0.070;  ///< m
+  double rest_radius = 0.051;  ///< m
+  double stiffness = 200.0;    ///< N/m
+  double friction = 0.0;
+  std::string tier = "L1";
+
+  double radius(double z) const { return lower + (upper - lower) * z / length; }
+  /// Sum of the contact forces: int T cos(a)/r dA with dA = 2 pi r dz/cos(a), T = S l of the hoop stretch l.
+  double contact_force() const {
+    double sum = 0.0;
+    constexpr int panels = 2000;
+    for (int i = 0; i < panels; ++i) {
+      const double z = position + (i + 0.5) / panels * sleeve_length, l = radius(z) / rest_radius;
+      if (l > 1.0) sum += 2.0 * std::numbers::pi * stiffness * 0.5 * (l * l - 1.0) * l * sleeve_length / panels;
+    }
+    return sum;
+  }
+};
+
+input::Case describe(const Hanging& scene) {
+  TubeCase tube;
+  tube.around = 12, tube.along = 5, tube.through = 1, tube.length = scene.length, tube.sleeve = scene.rest_radius, tube.tier = scene.tier;
+  tube.tissue = "law = 'neo-Hooke'\nshear_modulus = '40 kPa'\npoisson_ratio = 0.49";
+  tube.fabric = fmt::format("law = 'linear'\nwarp = '{0} N/m'\nweft = '{0} N/m'\nshear = '{1} N/m'\nB = '3e-6 N m'\nweight = '200 g/m2'",
+                            scene.stiffness, 0.3 * scene.stiffness);
+  input::Case c = describe_tube(tube);
+  c.body->stations = std::filesystem::temp_directory_path() / fmt::format("snug-hanging-{}.csv", ::getpid());
+  std::ofstream out(c.body->stations);
+  out.precision(17);
+  out << "height [m], girth [m], bone_girth [m]\n";
+  for (const double s : {0.0, 0.5, 1.0})
+    out << s * scene.length << ", " << 2.0 * std::numbers::pi * scene.radius(s * scene.length) << ", 0.12\n";
+  c.garment->held = {{.edge = "upper", .held = "axis"}};
+  c.garment->position = scene.position, c.garment->pattern.length = scene.sleeve_length;
+  c.contact->friction = scene.friction;
+  return c;
+}
+
+struct Hung {
+  postproc::RunResult result;
+  solver::Meshes meshes;
+};
+
+Hung hang(const Hanging& scene) {
+  const input::Case c = describe(scene);
+  solver::Meshes meshes = make_meshes(c);
+  postproc::RunResult result = solver::solve(c, meshes);
+  EXPECT_EQ(result.status, "converged") << result.message;
+  return {std::move(result), std::move(meshes)};
+}
+
+/// Mean distance of the lower hem from its own middle, m: nothing holds a loose sleeve beside the axis.
+double hem_radius(const Hung& hung) {
+  const auto& hem = hung.meshes.garment.edges.at("lower");
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const int node : hem) middle += hung.result.garment.current[node] / static_cast<double>(hem.size());
+  double sum = 0.0;
+  for (const int node : hem) sum += (hung.result.garment.current[node] - middle).head<2>().norm();
+  return sum / static_cast<double>(hem.size());
+}
+
+// Twelve facets round, axial stretch under a contact that pushes down the cone, friction's axial share and a body that gives
+// way: together within 5 %.
+TEST(LooseCloth, PartlyLooseItPressesByItsTensionAndStandsOffWhereItIsWider) {
+  struct Row { std::string name, tier; double friction; };
+  for (const Row& row : {Row{"rigid limb", "L1", 0.0}, Row{"soft limb", "L4", 0.0}, Row{"soft limb, friction 0.3", "L4", 0.3}}) {
+    Hanging scene;
+    scene.tier = row.tier, scene.friction = row.friction;
+    const Hung hung = hang(scene);
+    const auto& balance = hung.result.balance;
+    const std::string source = "hoop tension over radius, integrated over the limb";
+    book("partly loose sleeve, " + row.name, "sum of contact forces [N]", balance.contact_force, scene.contact_force(), 5e-2, source);
+    EXPECT_LE(balance.force_error.norm(), 1e-6 * balance.contact_force);
+    EXPECT_GT(hem_radius(hung), scene.radius(scene.position) + 0.5 * (scene.rest_radius - scene.radius(scene.position)));
+    EXPECT_LT(hung.result.iterations, 80);
+  }
+}
+
+TEST(LooseCloth, LooseAllOverItHangsFromItsHeldEdgeAndTouchesNothing) {
+  for (const std::string tier : {"L1", "L4"})
+    for (const double friction : {0.0, 0.3}) {
+      Hanging scene;
+      scene.rest_radius = 0.060, scene.tier = tier, scene.friction = friction;
+      const Hung hung = hang(scene);
+      const double weight = 0.2 * 9.80665 * 2.0 * std::numbers::pi * scene.rest_radius * scene.sleeve_length;
+      book(fmt::format("loose sleeve, {}, friction {:g}", tier, friction), "force of the held edge [N]",
+           hung.result.balance.reactions.at("upper edge").z(), weight, 1e-6, "its weight");
+      EXPECT_EQ(hung.result.balance.contact_force, 0.0);
+      EXPECT_NEAR(hem_radius(hung), scene.rest_radius, 1e-3 * scene.rest_radius);
+    }
+}
+
+}  // namespace
+}  // namespace snug::tests
