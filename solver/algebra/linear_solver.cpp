@@ -226,4 +226,13 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
   return report;
 }
 
+bool LinearSolver::solve_again(const Eigen::VectorXd& right, Eigen::VectorXd& x) {
+  Petsc& p = *petsc_;
+  p.put(right);
+  int iterations = 0;
+  const bool ok = p.factored && p.iterate(exact, p.symmetric || p.whole ? most_iterations : most_unsymmetric, iterations);
+  p.get(x);
+  return ok && x.allFinite();
+}
+
 }  // namespace snug::solver

@@ -44,6 +44,9 @@ class LinearSolver {
   /// scatter are scaled in place: assemble again before the next solve.
   LinearReport solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x, const Lag& lag = {});
 
+  /// Another right side with the matrix of the last solve and its factor.
+  bool solve_again(const Eigen::VectorXd& right, Eigen::VectorXd& x);
+
  private:
   struct Petsc;
   std::unique_ptr<Petsc> petsc_;

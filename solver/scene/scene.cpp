@@ -187,6 +187,20 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   return report;
 }
 
+bool Scene::respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step) {
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns()), x;
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int row = numbering_.unknown(i); row >= 0) right[row] += forces[i];
+  if (!solver_.solve_again(right, x)) return false;
+  Eigen::VectorXd still = Eigen::VectorXd::Zero(layout_.size());
+  step = still;
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
+  for (const auto& term : terms_) term->recover(state, step), term->recover(state, still);
+  step -= still;  // what is recovered without any step belongs to `solve`
+  return true;
+}
+
 double Scene::force_norm(const Eigen::VectorXd& rows) const {
   double squared = 0.0;
   for (int row = 0; row < scatter_.rows(); ++row)

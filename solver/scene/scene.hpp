@@ -51,6 +51,8 @@ class Scene {
   /// `step` has an entry for every state entry. Prescribed entries take the step to their place at state.load, and the
   /// others answer to it.
   LinearReport solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step);
+  /// After `solve` at the state: the step that other forces (one value an entry) ask for, with the same matrix.
+  bool respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step);
   /// Gives the memory of matrix and factor back; the next update builds them anew.
   void drop_matrix();
   /// Times and counts since the scene was made.

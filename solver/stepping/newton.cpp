@@ -119,31 +119,6 @@ Stationary kind_at_end(Scene& scene, const State& state, Stationary known) {
 // garment, whose slack parts have no stiffness of their own).
 constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 
-struct Check {
-  Measure measure;
-  double residual, complementarity, round_off;
-  double condensed;  ///< the residual with volumes and pressures of cells brought in
-  bool in_place;  ///< every moved support stands where it should
-  bool done;
-};
-
-Check check(const Scene& scene, const State& state, const NewtonSettings& settings) {
-  Check c;
-  c.measure = scene.measure(state);
-  const double force = std::max(c.measure.contact_force, c.measure.smallest_force), pressure = c.measure.reference_pressure;
-  const double residual = scene.force_residual();
-  c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
-  c.condensed = force > 0.0 ? scene.condensed_residual() / force : c.residual;
-  c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
-  const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
-  c.in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * scene.farthest(state);
-  c.round_off = scene.round_off(state);
-  const bool balanced = c.residual <= settings.residual || residual <= c.round_off;
-  c.done = c.in_place && balanced && c.complementarity <= settings.complementarity &&
-           c.measure.volume_error <= settings.volume && c.measure.penetration <= settings.penetration && c.measure.changed == 0;
-  return c;
-}
-
 // Far from the solution for long: eight iterations without a residual a fifth lower than the best one before. Iterations that
 // `stride` down an energy do not count, for the residual may well rise on the way: a sheet that wrinkles takes twenty so.
 class Patience {
@@ -161,6 +136,23 @@ class Patience {
 constexpr double long_stride = 0.2;  // of a Newton step
 
 }  // namespace
+
+Check check(const Scene& scene, const State& state, const NewtonSettings& settings) {
+  Check c;
+  c.measure = scene.measure(state);
+  const double force = std::max(c.measure.contact_force, c.measure.smallest_force), pressure = c.measure.reference_pressure;
+  const double residual = scene.force_residual();
+  c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
+  c.condensed = force > 0.0 ? scene.condensed_residual() / force : c.residual;
+  c.complementarity = pressure > 0.0 ? c.measure.complementarity / pressure : 0.0;
+  const Eigen::VectorXd gap = scene.supports().gap(state);  // that a prescribed entry has yet to go, m
+  c.in_place = gap.size() == 0 || gap.cwiseAbs().maxCoeff() <= 1e-15 * scene.farthest(state);
+  c.round_off = scene.round_off(state);
+  const bool balanced = c.residual <= settings.residual || residual <= c.round_off;
+  c.done = c.in_place && balanced && c.complementarity <= settings.complementarity &&
+           c.measure.volume_error <= settings.volume && c.measure.penetration <= settings.penetration && c.measure.changed == 0;
+  return c;
+}
 
 Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const IterationSink& sink) {
   scene.renew(state);

@@ -28,6 +28,16 @@ struct NewtonSettings {
 enum class Outcome { converged, stopped, no_progress, too_many_iterations, linear_solver_failed, saddle, inadmissible };
 std::string to_string(Outcome outcome);
 
+/// How far a state is from an answer.
+struct Check {
+  Measure measure;
+  double residual, complementarity, round_off;
+  double condensed;  ///< the residual with volumes and pressures of cells brought in
+  bool in_place;     ///< every moved support stands where it should
+  bool done;
+};
+Check check(const Scene& scene, const State& state, const NewtonSettings& settings);
+
 using IterationSink = std::function<void(const postproc::Iteration&)>;
 
 /// Solves at state.load from `state`; the last iterate stays in `state` (the caller keeps a copy to go back to).
