@@ -1,13 +1,17 @@
 #include "solver/stepping/arc_length.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace snug::solver {
 
 namespace {
 
-constexpr double usual_iterations = 5.0;  // at which the length stays as it is
+constexpr double usual_iterations = 4.0;  // at which the length stays as it is
+constexpr double first_by_load = 0.05;
 
 /// The walk along one curve: where it stands, where it came from and how long the next increment is.
 class Curve {
@@ -15,43 +19,58 @@ class Curve {
   Curve(Scene& scene, const State& start, const State& origin, const ArcSettings& settings, const IterationSink& sink)
       : scene_(scene), settings_(settings), sink_(sink), at_(start) {
     came_ = positions(start.values - origin.values);
-    length_ = 0.1 * came_.norm();
+    length_ = 0.05 * came_.norm();
+    longest_ = settings.longest > 0.0 ? settings.longest * length_ : std::numeric_limits<double>::max();
+    result_.path.state = result_.strongest = start;
+    loads_ = {{0.0, start.load}};
   }
 
   ArcResult follow() {
-    ArcResult result{{at_, at_.load, false, 0, ""}, at_};
-    int failures = 0;
-    while (result.path.increments < settings_.increments) {
+    for (int failures = 0; result_.path.increments < settings_.increments;) {
       const State before = at_;
-      const Outcome outcome = increment(result.path.increments + 1);
+      const Outcome outcome = increment(result_.path.increments + 1);
       if (outcome != Outcome::converged) {
-        result.path.message = to_string(outcome);
-        if (++failures > settings_.failures) break;
+        result_.path.message = to_string(outcome);
+        if (++failures > settings_.failures) return leave();
         length_ *= 0.5;
         continue;
       }
-      failures = 0, ++result.path.increments;
-      result.turned = result.turned || at_.load < before.load;
-      if (at_.load > result.strongest.load) result.strongest = at_;
-      if (settings_.accepted) settings_.accepted(scene_, at_, result.path.increments);
-      const bool full = at_.load >= 1.0;
-      if (full && before.load < 1.0) at_ = between(before, at_);
-      if ((full && finish(result)) || (settings_.stop && settings_.stop(at_))) {
-        result.path.complete = true, result.path.message.clear();
-        break;
-      }
+      failures = 0, ++result_.path.increments;
+      note();
+      if (settings_.accepted) settings_.accepted(scene_, at_, result_.path.increments);
+      if (settings_.stop && settings_.stop(at_)) result_.path.complete = true;
+      if (at_.load >= 1.0 && before.load < 1.0) finish(before);
+      if (result_.path.complete) return leave();
     }
-    if (!result.path.complete && result.path.message.empty()) result.path.message = "too many increments";
-    result.path.state = at_, result.path.reached = at_.load;
-    if (at_.load > result.strongest.load) result.strongest = at_;
-    scene_.update(at_);
-    return result;
+    result_.path.message = "too many increments";
+    return leave();
   }
 
  private:
   Eigen::VectorXd positions(const Eigen::VectorXd& values) const { return values.head(scene_.layout().pressure(0)); }
 
-  /// a and b of the system above at a state that is assembled.
+  /// Keeps the load over the arc, and finds where it falls for the first time.
+  void note() {
+    loads_.emplace_back(loads_.back().first + came_.norm(), at_.load);
+    if (result_.limit_load) return;
+    const std::size_t n = loads_.size();
+    if (loads_[n - 1].second >= loads_[n - 2].second) {
+      result_.strongest = at_;
+    } else if (n > 2) {
+      result_.limit_load = top(loads_[n - 3], loads_[n - 2], loads_[n - 1]);
+    } else {
+      result_.limit_load = loads_[0].second;
+    }
+  }
+
+  /// The largest value of the parabola through three points.
+  static double top(std::pair<double, double> a, std::pair<double, double> b, std::pair<double, double> c) {
+    const double left = (b.second - a.second) / (b.first - a.first), right = (c.second - b.second) / (c.first - b.first);
+    const double bend = (right - left) / (c.first - a.first), slope = left + bend * (b.first - a.first);  // at b
+    return b.second - 0.25 * slope * slope / bend;
+  }
+
+  /// a and b of the system in the header at a state that is assembled.
   bool solve(const State& state, Eigen::VectorXd& a, Eigen::VectorXd& b) {
     if (!scene_.solve(state, Tangent::full, 1e-12, {}, a).ok) return false;
     State more = state;
@@ -67,20 +86,16 @@ class Curve {
     Eigen::VectorXd a, b;
     if (!solve(state, a, b)) return Outcome::linear_solver_failed;
     const Eigen::VectorXd along = positions(b);
-    if (!started_ && length_ == 0.0) length_ = 0.05 * along.norm();
-    const double forwards = !started_ || along.dot(came_) >= 0.0 ? 1.0 : -1.0, ds = forwards * length_ / along.norm();
-    if (started_ && forwards * along.dot(came_) < std::cos(settings_.longest_turn) * along.norm() * came_.norm() && number > turned_at_) {
-      turned_at_ = number;  // once an increment: a kink is none the less
-      return Outcome::no_progress;
-    }
-    state.values += ds * b, state.load += ds;
+    const bool backwards = result_.path.increments > 0 && along.dot(came_) < 0.0;
+    const double ds = (backwards ? -1.0 : 1.0) * length_ / along.norm();
+    state.values += scene_.step_bound(state, ds * b) * ds * b, state.load += ds;
     int taken = 0;
     const Outcome outcome = correct(state, number, taken);
     if (outcome != Outcome::converged) return outcome;
     scene_.commit(state);
     came_ = positions(state.values - at_.values);
-    at_ = state, started_ = true;
-    length_ *= std::clamp(std::sqrt(usual_iterations / std::max(1, taken)), 0.5, 1.5);
+    at_ = state;
+    length_ = std::min(length_ * std::clamp(std::sqrt(usual_iterations / std::max(1, taken)), 0.5, 1.5), longest_);
     return outcome;
   }
 
@@ -90,62 +105,96 @@ class Curve {
     for (taken = 0; taken <= settings_.iterations; ++taken) {
       scene_.update(state);
       if (!scene_.assemble(state, Tangent::full)) return Outcome::inadmissible;
-      const Check now = check(scene_, state, settings_.newton);
+      State full = state;  // the load passes through zero, and is no measure of the residual there
+      full.load = 1.0;
+      const Check now = check(scene_, full, settings_.newton);
       row.iteration = taken, row.load = state.load, row.residual = now.residual;
       sink_(row);
       const Eigen::VectorXd gone = positions(state.values - at_.values);
       const double off = 0.5 * (gone.squaredNorm() - length_ * length_);
       if (now.done && std::abs(off) <= 1e-6 * length_ * length_) return Outcome::converged;
-      if (!(now.residual < 1e6)) return Outcome::no_progress;
       Eigen::VectorXd a, b;
       if (!solve(state, a, b)) return Outcome::linear_solver_failed;
       const double ds = -(off + gone.dot(positions(a))) / gone.dot(positions(b));
       const Eigen::VectorXd step = a + ds * b;
+      if (!std::isfinite(ds) || !(positions(step).norm() < 2.0 * length_)) return Outcome::no_progress;
       row.step = scene_.step_bound(state, step);
       state.values += row.step * step, state.load += row.step * ds;
     }
     return Outcome::too_many_iterations;
   }
 
-  /// Where the chord of two states crosses full load.
-  static State between(const State& before, const State& after) {
-    State state = after;
-    state.values = before.values + (1.0 - before.load) / (after.load - before.load) * (after.values - before.values);
-    state.load = 1.0;
-    return state;
-  }
-
-  /// The answer at full load, from near it.
-  bool finish(ArcResult& result) {
+  /// The answer at full load, from where the chord of the last increment crosses it.
+  void finish(const State& before) {
     State state = at_;
+    state.values = before.values + (1.0 - before.load) / (at_.load - before.load) * (at_.values - before.values);
+    state.load = 1.0;
+    ++result_.path.increments;
     const Outcome outcome = newton(scene_, state, settings_.newton, [&](postproc::Iteration row) {
-      row.increment = result.path.increments + 1;
+      row.increment = result_.path.increments;
       sink_(row);
     });
-    ++result.path.increments;
-    if (outcome != Outcome::converged) {
-      result.path.message = to_string(outcome);
-      return false;
-    }
+    if (outcome != Outcome::converged) return;  // the curve goes on, and may cross full load once more
     scene_.commit(state);
     at_ = state;
-    return true;
+    result_.path.complete = true;
+  }
+
+  ArcResult leave() {
+    if (result_.path.complete) result_.path.message.clear();
+    if (!result_.limit_load) result_.strongest = at_;
+    result_.path.state = at_, result_.path.reached = at_.load;
+    return result_;
   }
 
   Scene& scene_;
   const ArcSettings& settings_;
   const IterationSink& sink_;
   State at_;
-  Eigen::VectorXd came_;   ///< of the positions in the last increment
-  double length_ = 0.0;    ///< m, over all positions
-  int turned_at_ = 0;
-  bool started_ = false;
+  ArcResult result_;
+  Eigen::VectorXd came_;   ///< what the positions did in the last increment, m
+  double length_, longest_;  ///< m, over all positions
+  std::vector<std::pair<double, double>> loads_;  ///< over the arc, m
 };
 
 }  // namespace
 
 ArcResult follow_arc(Scene& scene, const State& start, const State& origin, const ArcSettings& settings, const IterationSink& sink) {
   return Curve(scene, start, origin, settings, sink).follow();
+}
+
+LoadedPath follow_load(Scene& scene, const State& placed, bool along_curve, const PathSettings& settings, const IterationSink& rows,
+                       const IterationSink& curve_rows) {
+  const double to = along_curve ? first_by_load : 1.0;
+  LoadedPath loaded{follow_path(scene, placed, tightening(0.0, to), settings, rows), {}};
+  PathResult& path = loaded.path;
+  path.reached *= to;
+  const bool loads = std::any_of(scene.terms().begin(), scene.terms().end(), [](const auto& term) { return term->is_load(); });
+  if (!loads || path.increments == 0 || scene.supports().move() || (path.complete && !along_curve)) return loaded;
+  ArcSettings arc;
+  arc.newton = settings.newton;
+  arc.increments = along_curve ? 200 : 60;
+  if (settings.accepted)
+    arc.accepted = [&](const Scene& parts, const State& state, int increment) {
+      settings.accepted(parts, state, path.reached + (1.0 - path.reached) * increment / (increment + 1.0));
+    };
+  const int before = path.increments;
+  const ArcResult curve = follow_arc(scene, path.state, placed, arc, [&](postproc::Iteration row) {
+    row.increment += before;
+    curve_rows(row);
+  });
+  loaded.limit_load = curve.limit_load;
+  path.increments += curve.path.increments;
+  path.complete = curve.path.complete;
+  path.state = curve.path.complete ? curve.path.state : curve.strongest;
+  path.reached = path.state.load;
+  if (path.complete) path.message.clear();
+  else if (curve.limit_load)
+    path.message = fmt::format("the load has a largest value there, {:.5g} of the whole, and falls beyond it", *curve.limit_load);
+  else
+    path.message = curve.path.message;
+  if (!path.complete) scene.renew(path.state), scene.update(path.state);
+  return loaded;
 }
 
 }  // namespace snug::solver

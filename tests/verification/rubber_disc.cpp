@@ -1,4 +1,5 @@
 // Discs of rubber blown up from flat by a pressure that follows them, up to the largest that they bear (reference book 2.4 D).
+#include "solver/stepping/arc_length.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/inflated_disc.hpp"
@@ -100,6 +101,57 @@ TEST(RubberDisc, FollowsItsPressureAsMooneyAndRivlinSay) {
     const char* source = "reference book 2.4 D, shooting (s05)";
     book(scene, "height, in", disc.height, row.height, 1e-4, source);
     book(scene, "pole stretch", disc.pole_stretch, row.stretch, 1e-4, source);
+  }
+}
+
+/// The value at `x` of the cubic through the four nearest of points (x, y) along a curve, x ascending.
+double on_curve(const std::vector<std::pair<double, double>>& points, double x) {
+  std::size_t first = 0;
+  while (first + 4 < points.size() && points[first + 2].first < x) ++first;
+  double sum = 0.0;
+  for (std::size_t i = first; i < first + 4; ++i) {
+    double weight = points[i].second;
+    for (std::size_t j = first; j < first + 4; ++j)
+      if (j != i) weight *= (x - points[j].first) / (points[i].first - points[j].first);
+    sum += weight;
+  }
+  return sum;
+}
+
+// Past its limit pressure the disc grows while the pressure falls: pole stretches 3 and 4 lie on that branch.
+TEST(RubberDisc, GrowsPastItsLimitPressureAlongTheCurve) {
+  const RubberDisc disc(20, 1.0);
+  const double full = 2.5;  // p a/(mu h), never reached
+  solver::Scene scene = disc.scene(rubber("law = 'neo-Hooke'\nshear_modulus = '1 Pa'", 1.0), full);
+  std::vector<std::pair<double, double>> pressure, height;  // over the pole's stretch
+  const auto stretch = [&](const solver::State& state) {
+    const auto at = [&](int node) -> Eigen::Vector3d { return state.values.segment<3>(disc.layout.body(node)); };
+    return pole_stretch(at(0), at(disc.flat.triangles[0][3]), at(disc.flat.triangles[0][1]), disc.radius * ring_radius(1, disc.rings));
+  };
+  solver::ArcSettings settings;
+  settings.longest = 2.0;
+  settings.stop = [&](const solver::State& state) { return stretch(state) > 4.3; };
+  settings.accepted = [&](const solver::Scene&, const solver::State& state, int) {
+    pressure.emplace_back(stretch(state), full * state.load);
+    height.emplace_back(stretch(state), state.values[disc.layout.body(0, 2)]);
+  };
+  const auto start = solver::follow_path(scene, disc.start(), solver::tightening(0.0, 0.4), {}, [](const auto&) {});
+  ASSERT_TRUE(start.complete) << start.message;
+  int iterations = 0;
+  const auto curve = solver::follow_arc(scene, start.state, disc.start(), settings, [&](const auto&) { ++iterations; });
+  fmt::print("disc along its curve: {} increments, {} iterations, to a stretch of {:.3f}\n", curve.path.increments, iterations,
+             stretch(curve.path.state));
+  ASSERT_TRUE(curve.path.complete) << curve.path.message;
+  ASSERT_TRUE(curve.limit_load.has_value());
+  const char* source = "reference book 2.4 D, shooting (s05)";
+  const std::string scene_name = "2.4 D neo-Hookean disc, arc length";
+  book(scene_name, "limit pressure a/(mu h)", full * *curve.limit_load, 1.87917347, 1e-3, source);
+  struct Row {
+    double stretch, pressure, height;
+  };
+  for (const Row& row : std::vector<Row>{{3.0, 1.8079220952, 1.4888464331}, {4.0, 1.6719595145, 1.8059325009}}) {
+    book(scene_name, fmt::format("p a/(mu h) at a pole stretch of {:g}", row.stretch), on_curve(pressure, row.stretch), row.pressure, 1e-3, source);
+    book(scene_name, fmt::format("height over radius at a pole stretch of {:g}", row.stretch), on_curve(height, row.stretch), row.height, 1e-3, source);
   }
 }
 
