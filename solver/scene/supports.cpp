@@ -92,8 +92,9 @@ void check_balance(const Supports& supports, const mesh::BodyMesh& body, const s
     const NetLoad net = net_load(part, body, forces);
     if (net.balanced) continue;
     std::vector<std::string> loads;
-    const auto note = [&](const Eigen::Vector3d& v, double floor, const char* text) {
-      if (v.norm() > floor) loads.push_back(fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", v.x(), v.y(), v.z(), text));
+    const auto note = [&](Eigen::Vector3d v, double floor, const char* text) {
+      v = (v.array().abs() > floor).select(v, 0.0);
+      if (!v.isZero(0.0)) loads.push_back(fmt::format("({:.4g}, {:.4g}, {:.4g}) {}", v.x(), v.y(), v.z(), text));
     };
     const double size = std::max(net.force.norm(), net.moment.norm() / part.size);
     note(net.force, 1e-6 * size, "N"), note(net.moment, 1e-6 * size * part.size, "N m about its middle");

@@ -29,6 +29,26 @@ TEST_F(Program, WrongInputIsStatus2AndWritesNothing) {
   EXPECT_EQ(snug("run mine --set garment.fabric=N85L51").status, 2);
 }
 
+// A limb without a rigid bone slides on its ends and floats: under loads that balance it is solved, under a pull along x
+// `check` already refuses it, with the force.
+TEST_F(Program, ABodyThatNothingHoldsFloatsOrIsRefused) {
+  ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
+  const std::string tissue = "material = { law = \"neo-Hooke\", shear_modulus = \"10 kPa\", poisson_ratio = 0.45 }";
+  const std::string floating = "title = \"floats\"\n[body]\nkind = \"stations\"\nstations = \"body/tube.csv\"\nlayers = [\n"
+                               "{ name = \"core\", " + tissue + " },\n{ name = \"rest\", " + tissue + ", cells = 1 }]\n"
+                               "cells_around = 16\ncells_along = 1\n[load]\nskin_pressure = \"5 kPa\"\n";
+  write("mine/case.toml", floating);
+  const std::string motions = "the body is free to move along x and y and to turn about z";
+  EXPECT_NE(snug("check mine").text.find(motions + ": held without force"), std::string::npos);
+  const Outcome run = snug("run mine --no-report");
+  EXPECT_EQ(run.status, 0) << run.text;
+  EXPECT_NE(run.text.find("free motions of the body"), std::string::npos) << run.text;
+  write("mine/case.toml", floating + "[[load.force]]\non = \"skin\"\nvalue = [\"2 N\", \"0 N\", \"0 N\"]\n");
+  const Outcome pulled = snug("check mine");
+  EXPECT_EQ(pulled.status, 2) << pulled.text;
+  EXPECT_NE(pulled.text.find(motions + ", and its loads do not balance: (2, "), std::string::npos) << pulled.text;
+}
+
 TEST_F(Program, CheckSolvesAndWritesNothing) {
   // check prints the plan with parts in and out, and leaves the case directory as it was.
   ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);
