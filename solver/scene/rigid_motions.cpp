@@ -125,8 +125,13 @@ std::string directions(const Eigen::Matrix3Xd& span) {
     if (basis.row(axis).squaredNorm() > 1.0 - 1e-6) names.push_back(std::string(1, "xyz"[axis]));
   if (static_cast<int>(names.size()) != rank) {
     names.clear();
-    for (int k = 0; k < rank; ++k)
-      names.push_back(fmt::format("({:.3g}, {:.3g}, {:.3g})", basis(0, k), basis(1, k), basis(2, k)));
+    for (Eigen::Vector3d way : basis.colwise()) {
+      way = (way.array().abs() > 1e-6).select(way, 0.0);
+      Eigen::Index largest = 0;
+      way.cwiseAbs().maxCoeff(&largest);
+      if (way[largest] < 0.0) way = -way;
+      names.push_back(fmt::format("({:.3g}, {:.3g}, {:.3g})", way.x() + 0.0, way.y() + 0.0, way.z() + 0.0));
+    }
   }
   if (names.size() > 2) return fmt::format("{}, {} and {}", names[0], names[1], names[2]);
   return fmt::format("{}", fmt::join(names, " and "));

@@ -155,6 +155,25 @@ TEST(RubberDisc, GrowsPastItsLimitPressureAlongTheCurve) {
   }
 }
 
+// A load path that ends below the whole load goes on along the curve, which never comes up to it: the answer is the state of
+// the largest pressure, and it says so.
+TEST(RubberDisc, APressureThatItCannotBearEndsAtTheLargestOne) {
+  const RubberDisc disc(10, 1.0);
+  const double beyond = 2.0;
+  solver::Scene scene = disc.scene(rubber("law = 'neo-Hooke'\nshear_modulus = '1 Pa'", 1.0), beyond);
+  int by_load = 0, along = 0;
+  const auto loaded = solver::follow_load(scene, disc.start(), false, {}, [&](const auto&) { ++by_load; }, [&](const auto&) { ++along; });
+  fmt::print("disc under too much: {} iterations by load, {} along the curve\n", by_load, along);
+  EXPECT_FALSE(loaded.path.complete);
+  ASSERT_TRUE(loaded.limit_load.has_value());
+  const char* source = "reference book 2.4 D, shooting (s05)";
+  book("2.4 D neo-Hookean disc, arc length", "limit pressure a/(mu h) after a load path that failed", beyond * *loaded.limit_load,
+       1.87917347, 1e-3, source);
+  EXPECT_LE(loaded.path.reached, *loaded.limit_load * (1.0 + 1e-9));
+  EXPECT_GE(loaded.path.reached, 0.99 * *loaded.limit_load);
+  EXPECT_NE(loaded.path.message.find("the load has a largest value"), std::string::npos) << loaded.path.message;
+}
+
 // Beyond a pressure p a/(mu h) = 1.87917347 a neo-Hookean disc has no equilibrium: a path of loads ends there.
 TEST(RubberDisc, LoadPathEndsAtItsLimitPressure) {
   const RubberDisc disc(10, 1.0);

@@ -52,6 +52,7 @@ struct ShakenBlock {
     grid.layers = {"soft", "other"};
     grid.layer = [](const Eigen::Vector3d& middle) { return middle.x() > 0.5 ? 1 : 0; };
     BlockCase block(make_block(grid), {neo_hooke(10.0, 0.49), second});
+    block.hold("bottom", 0.0, 0.0, 0.0);
     block.traction("right", 100.0, 50.0, 20.0), block.pressure("top", 800.0);
     block.c.load->gravity = {0.0, 0.0, -9.81};
     return block;
