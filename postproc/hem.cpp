@@ -93,13 +93,13 @@ void fill_lines(const std::vector<Near>& near, RunResult& run) {
 }
 
 /// Of the points beside the strips in facets with nodes in them.
-double largest_at_border(const std::vector<ContactSample>& inside, const BodyResult& body) {
+double largest_at_border(const std::vector<ContactSample>& samples, const BodyResult& body) {
   double largest = 0.0;
-  for (const ContactSample& sample : inside) {
-    if (sample.facet < 0) continue;
+  for (const ContactSample& sample : samples) {
+    if (sample.facet < 0 || sample.hem >= 0) continue;
     const auto& facet = body.skin_facets[sample.facet];
     const bool border = std::any_of(facet.begin(), facet.end(), [&](int n) { return n >= 0 && body.hem[n] == 1.0; });
-    if (border) largest = std::max(largest, field_at(body.skin_facets, sample, body.pressure_inside));
+    if (border) largest = std::max(largest, field_at(body.skin_facets, sample, body.contact_pressure));
   }
   return largest;
 }
@@ -107,10 +107,7 @@ double largest_at_border(const std::vector<ContactSample>& inside, const BodyRes
 double fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyResult& body) {
   std::vector<Point> now = body.nodes;
   for (std::size_t n = 0; n < now.size(); ++n) now[n] += body.displacement[n];
-  std::vector<ContactSample> inside = run.samples;
-  for (ContactSample& sample : inside)
-    if (sample.hem >= 0) sample.facet = -1;
-  body.pressure_inside = transfer(body.skin_facets, now.size(), now, inside).pressure;
+  body.pressure_inside = body.contact_pressure;
   body.hem.assign(now.size(), 0.0);
   std::vector<char> skin(now.size(), 0);
   for (const auto& facet : body.skin_facets)
@@ -122,7 +119,7 @@ double fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyRes
     const Near near = skin[n] ? nearest(chains, now[n], widest) : Near{};
     if (near.edge >= 0 && near.distance < run.hems[near.edge].strip) body.hem[n] = 1.0;
   }
-  double largest = largest_at_border(inside, body);
+  double largest = largest_at_border(run.samples, body);
   for (std::size_t n = 0; n < now.size(); ++n) {
     if (body.hem[n] == 1.0) body.pressure_inside[n] = 0.0;
     largest = std::max(largest, body.pressure_inside[n]);

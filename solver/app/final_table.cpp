@@ -63,7 +63,7 @@ std::string balance_text(const postproc::RunResult& run) {
 std::string hems_text(const postproc::RunResult& run) {
   std::string text;
   for (const postproc::Hem& hem : run.hems)
-    text += fmt::format("  hem                {} edge: {:.3g} N/m over {:.0f} mm, a line load; the pressures above leave out {:.1f} mm beside it\n",
+    text += fmt::format("  hem                {} edge: {:.3g} N/m over {:.0f} mm, a line load; pressures of locations and the largest one leave out {:.1f} mm beside it\n",
                         hem.edge, hem.line_load, 1e3 * hem.length, 1e3 * hem.strip);
   return text;
 }

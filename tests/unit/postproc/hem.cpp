@@ -72,6 +72,8 @@ RunResult worn(int around, int along, int fine, double line_load) {
   };
   edge("lower", low), edge("upper", high);
   garment.current.push_back(on_tube(0.0, 0.5 * (low + high)));  // farthest from both
+  const SkinPressure all = transfer(run.body.skin_facets, run.body.nodes.size(), run.body.nodes, run.samples);
+  run.body.contact_pressure = all.pressure, run.body.coverage = all.coverage;
   return run;
 }
 
@@ -92,20 +94,20 @@ TEST(Hems, TheLineLoadIsWhatThePressureDoesNotExplain) {
   }
 }
 
-// The largest pressure beside the hems does not know of a line load however fine the mesh is, while the complete field grows
-// with it; it is the pressure at the strip's border, which stands still from 24 cells round on.
+// The largest pressure beside the hems does not know of a line load, whose peak in the complete field is what the mesh makes of
+// it; it is the pressure at the strip's border, which stands still from 24 cells round on.
 TEST(Hems, TheLargestPressureBesideThemDoesNotFollowTheMesh) {
-  double raw = 0.0;
+  double low_peak = 1e9, high_peak = 0.0;
   for (const int around : {24, 36, 48}) {
-    RunResult run = worn(around, around / 2, 8, 5.0);
+    RunResult run = worn(around, around / 2, 8, 2.0);
     const double inside = keep_hems_apart(cell_of(around, around / 2), run);
-    const auto all = transfer(run.body.skin_facets, run.body.nodes.size(), run.body.nodes, run.samples).pressure;
-    const double largest = *std::max_element(all.begin(), all.end());
-    EXPECT_GT(largest, 1.2 * raw) << around;
-    raw = largest;
+    const double largest = *std::max_element(run.body.contact_pressure.begin(), run.body.contact_pressure.end());
+    EXPECT_GT(largest, 1.5 * pressure_at(high)) << around;
+    low_peak = std::min(low_peak, largest), high_peak = std::max(high_peak, largest);
     const double border = pressure_at(high - 2.0 * std::numbers::pi * radius / 24.0);
-    EXPECT_NEAR(inside, border, 0.03 * border) << around;
+    EXPECT_NEAR(inside, border, 0.04 * border) << around;
   }
+  EXPECT_GT(high_peak, 1.5 * low_peak);
 }
 
 // A strip is one cell wide where cells are coarse, a 24th of the edge's length where they are fine, and leaves half of the depth of a
@@ -123,20 +125,20 @@ TEST(Hems, TheStripIsACellOrAFixedShareOfTheEdge) {
 TEST(Hems, LocationsLeaveThemOut) {
   RunResult run = worn(24, 12, 8, 50.0);
   keep_hems_apart(cell_of(24, 12), run);
-  run.body.contact_pressure = run.body.pressure_inside;  // the complete field has the line load at the top
   run.body.coverage.assign(run.body.nodes.size(), 0.0);
   for (std::size_t n = 0; n < run.body.nodes.size(); ++n) {
     const double z = run.body.nodes[n].z();
     if (z < low || z > high) continue;
     run.body.coverage[n] = 1.0;
     run.body.contact_pressure[n] = z > high - 0.02 ? 5000.0 : pressure_at(z);
+    run.body.pressure_inside[n] = run.body.hem[n] == 1.0 ? 0.0 : run.body.contact_pressure[n];
   }
   const Evaluation evaluation = evaluate(run, std::nullopt);
   EXPECT_EQ(evaluation.locations[0].pressures_of, "cover beside hems");
   EXPECT_LT(evaluation.locations[0].max_pressure, pressure_at(high));
   EXPECT_NEAR(evaluation.locations[0].mean_pressure, pressure_at(0.5 * (low + high)), 10.0);
   EXPECT_EQ(evaluation.locations[1].pressures_of, "hem");
-  EXPECT_EQ(evaluation.locations[1].mean_pressure, 5000.0);
+  EXPECT_NEAR(evaluation.locations[1].mean_pressure, 5000.0, 1e-6);
 }
 
 // Without contact nothing is marked, and a garment without named edges keeps all of its pressure.
@@ -150,7 +152,7 @@ TEST(Hems, WithoutContactOrEdgesNothingIsLeftOut) {
   keep_hems_apart(0.01, run);
   EXPECT_TRUE(run.hems.empty());
   EXPECT_EQ(*std::max_element(run.body.hem.begin(), run.body.hem.end()), 0.0);
-  EXPECT_EQ(run.body.pressure_inside, transfer(run.body.skin_facets, run.body.nodes.size(), run.body.nodes, run.samples).pressure);
+  EXPECT_EQ(run.body.pressure_inside, run.body.contact_pressure);
 }
 
 }  // namespace
