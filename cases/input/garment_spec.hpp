@@ -35,7 +35,7 @@ struct PatternSpec {
 
 struct HeldEdge {
   std::string edge;           ///< upper | lower
-  std::string held = "axis";  ///< axis: no displacement along the body's axis | all
+  std::string held = "axis";  ///< axis: no displacement along the skin in the direction of the axis | all
   Location where = {};
 
   template <class Self, class Visitor>
@@ -43,7 +43,7 @@ struct HeldEdge {
     field(Field{.key = "edge", .meaning = "edge of the garment", .required = true, .choices = {"upper", "lower"}},
           self.edge);
     field(Field{.key = "held",
-                .meaning = "axis: no displacement along the body's axis; all: none at all",
+                .meaning = "axis: no displacement along the skin in the direction of the body's axis; all: none at all",
                 .choices = {"axis", "all"}},
           self.held);
   }
