@@ -131,7 +131,8 @@ TEST(GarmentMesh, ASewnTubeHasTheEulerNumberOfATube) {
 }
 
 TEST(GarmentMesh, EdgesListEachSewnNodeOnceWithMidNodes) {
-  const GarmentMesh mesh = sleeve(cylinder());
+  const Limb limb = cylinder();
+  const GarmentMesh mesh = sleeve(limb);
   for (const char* name : {"lower", "upper"}) {
     const auto& edge = mesh.edges.at(name);
     EXPECT_EQ(edge.size(), 2 * std::lround(limb.girth(0.17) / cell));
