@@ -58,7 +58,7 @@ void fill_numbers(postproc::RunResult& result) {
     if (sample.touching) area += sample.area, slipping += sample.slips ? sample.area : 0.0;
   for (const Eigen::Vector3d& t : result.body.shear_traction) largest = std::max(largest, t.norm());
   result.numbers["max_shear_traction_Pa"] = largest;
-  if (area > 0.0) result.numbers["slipping_share_of_contact"] = slipping / area;
+  result.numbers["slipping_share_of_contact"] = area > 0.0 ? slipping / area : 0.0;
 }
 
 }  // namespace

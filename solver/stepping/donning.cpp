@@ -45,14 +45,18 @@ Push push(const postproc::RunResult& frictionless, const mesh::GarmentMesh& garm
 Push push(const Scene& sticking, const State& state) {
   double along = 0.0, sum = 0.0;
   for (const auto& point : sticking.find<Contact>()->point_forces(state)) along += point.force.z(), sum += point.force.norm();
+  const Eigen::VectorXd load = sticking.load_forces(state);  // the garment's weight; on the rigid skin nothing else is loaded
+  for (int z = sticking.layout().garment(0, 2); z < sticking.layout().pressure(0); z += 3) along += load[z];
   return push(-along, sum);
 }
 
 std::string no_equilibrium(const Push& push, const input::Case& description, const mesh::GarmentMesh& garment) {
   std::string text =
-      fmt::format("no equilibrium: nothing holds the garment along the axis and a net contact force of {:.3g} N pushes it {}",
+      fmt::format("no equilibrium: nothing holds the garment along the axis and a net force of {:.3g} N pushes it {}",
                   std::abs(push.force), push.force > 0.0 ? "down" : "up");
-  if (has_friction(description))
+  if (push.friction_needed > 10.0)
+    text += "; no friction bears it, for it hardly touches";
+  else if (has_friction(description))
     text += fmt::format("; friction of {:g} does not bear it, about {:.3g} would", friction_choice(description).coefficient,
                         push.friction_needed);
   return text + fmt::format("; hold an edge: garment.held = [{{ edge = \"{}\", held = \"axis\" }}]", probe_edge(garment));

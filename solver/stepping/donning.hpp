@@ -15,7 +15,7 @@ std::string donning_name(double from);
 postproc::DonningRow donning_row(const std::string& name, double from, bool converged, const Scene& scene,
                                  const State& state, const Meshes& meshes);
 
-/// What pushes a garment that no edge holds along the axis: the net force of the contact pressures (N, what would have to
+/// What moves a garment that no edge holds along the axis: the net force of contact pressures and weight (N, what would have to
 /// answer it is positive upwards; 0: none to speak of), and the coefficient of friction that would bear it,
 /// F / sqrt(C^2 - F^2) with the sum C of the contact forces (tan of the half angle on a cone).
 struct Push {

@@ -24,6 +24,9 @@ namespace {
 /// Contact pressure over the softest (stiffened) shear modulus where a release step by step starts: small strains.
 constexpr double gentle_release = 0.3;
 
+/// No coefficient of friction of cloth on skin is as large.
+constexpr double no_friction = 10.0;
+
 /// Fractions of the tightening from which friction acts in the rows that show the spread.
 constexpr std::array<double, 2> spread = {0.5, 0.0};
 
@@ -180,13 +183,22 @@ class Run {
     keep(rigid, placed, 0.0);
     const PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("tightening"));
     const bool tight = accept(rigid, path, "tightening where it was placed");
+    const Push net = push(rigid, path.state);
+    if (tight && slides_freely(case_) && net.friction_needed > no_friction) return fall(rigid, path.state, net);
     if (tight && worn_.contact->spread) add_spread(rigid, path.state);
     if (tight && result_.tier == "L4") {
       rigid.drop_matrix();  // the body needs the memory
       return let_go_on_body(rigid, path.state);
     }
-    if (tight) return let_go(rigid, path.state, Skin::rigid, push(rigid, path.state));
+    if (tight) return let_go(rigid, path.state, Skin::rigid, net);
     fill_result(rigid, path.state, meshes_.body, meshes_.garment, result_);
+    log_.phase("results");
+  }
+
+  /// A garment that hardly touches and that nothing holds falls: what sticks on the way is no answer.
+  void fall(const Scene& rigid, const State& sticking, const Push& net) {
+    fail(no_equilibrium(net, case_, meshes_.garment));
+    fill_result(rigid, sticking, meshes_.body, meshes_.garment, result_);
     log_.phase("results");
   }
 

@@ -87,6 +87,8 @@ TEST(LooseCloth, PartlyLooseItPressesByItsTensionAndStandsOffWhereItIsWider) {
   }
 }
 
+// The hem is drawn in a little: the second form is measured along the pattern, so that cloth bends less when it is shorter,
+// and slack cloth bears B/r^2 by the thousandth of its stiffness that wrinkles keep, strain B/(r^2 eta k) = 4.2e-3.
 TEST(LooseCloth, LooseAllOverItHangsFromItsHeldEdgeAndTouchesNothing) {
   for (const std::string tier : {"L1", "L4"})
     for (const double friction : {0.0, 0.3}) {
@@ -97,7 +99,8 @@ TEST(LooseCloth, LooseAllOverItHangsFromItsHeldEdgeAndTouchesNothing) {
       book(fmt::format("loose sleeve, {}, friction {:g}", tier, friction), "force of the held edge [N]",
            hung.result.balance.reactions.at("upper edge").z(), weight, 1e-6, "its weight");
       EXPECT_EQ(hung.result.balance.contact_force, 0.0);
-      EXPECT_NEAR(hem_radius(hung), scene.rest_radius, 1e-3 * scene.rest_radius);
+      const double drawn_in = 3e-6 / (scene.rest_radius * scene.rest_radius * 1e-3 * scene.stiffness);
+      EXPECT_NEAR(hem_radius(hung), scene.rest_radius * (1.0 - drawn_in), 1e-3 * scene.rest_radius);
     }
 }
 
