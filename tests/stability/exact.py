@@ -123,7 +123,7 @@ def bar_stretch(shear_modulus, poisson_ratio, tension):
     def side(l):
         def lateral(s):
             J = l * s * s
-            return shear_modulus * J ** (-5 / 3) * (s * s - l * l) / 3 + 0.5 * kappa * (J - 1 / J) / J
+            return shear_modulus * J ** (-5 / 3) * (s * s - l * l) / 3 + 0.5 * kappa * (J - 1 / J)
         return bisect(lateral, 1e-3, 1e3)
 
     def axial(l):
@@ -133,9 +133,9 @@ def bar_stretch(shear_modulus, poisson_ratio, tension):
 
 
 def hydrostatic_stretch(shear_modulus, poisson_ratio, pressure):
-    """Stretch in every direction of a free block under pressure all round: kappa/2 (J - 1/J)/J = -pressure."""
+    """Stretch in every direction of a free block under pressure all round: kappa/2 (J - 1/J) = -pressure, J = l^3."""
     kappa = Layer(1, 2, shear_modulus, poisson_ratio).bulk_modulus
-    return bisect(lambda l: 0.5 * kappa * (1 - l**-6) + pressure, 0.05, 1.0)
+    return bisect(lambda l: 0.5 * kappa * (l**3 - l**-3) + pressure, 0.05, 1.0)
 
 
 def bisect(f, low, high):

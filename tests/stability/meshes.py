@@ -137,10 +137,14 @@ def arches():
         plane = [{"on": side, "y": m(0.0)} for side in ("y0", "y1")]
         return block(name, "snap", stresses, (span, 0.004, thick), (16, 1, 1), tissue(1e6, 0.3), clamped + plane, load, place=arc)
 
-    yield arch("arch, half the load", "arch below its limit load", {"traction": [{"on": "z1", "value": [Pa(0.0), Pa(0.0), Pa(-150.0)]}]})
-    yield arch("arch snaps, dead load", "snap-through under a load that keeps its direction",
-               {"traction": [{"on": "z1", "value": [Pa(0.0), Pa(0.0), Pa(-1500.0)]}]})
-    yield arch("arch snaps, pressure", "snap-through under a pressure that follows", {"pressure": [{"on": "z1", "value": Pa(1500.0)}]})
+    dead = lambda p: {"traction": [{"on": "z1", "value": [Pa(0.0), Pa(0.0), Pa(-p)]}]}
+    follower = lambda p: {"pressure": [{"on": "z1", "value": Pa(p)}]}
+    # walked in steps it stops near 95 Pa, where the force falls
+    yield arch("arch below its limit", "two thirds of the limit load", dead(60.0))
+    yield arch("arch just past its limit", "snap-through, 1.5 times the limit load", dead(150.0))
+    yield arch("arch far past its limit", "snap-through, 16 times the limit load", dead(1500.0))
+    yield arch("arch just past its limit, follower", "snap-through under a pressure that follows", follower(150.0))
+    yield arch("arch far past its limit, follower", "snap-through, 16 times the limit pressure, which follows", follower(1500.0))
 
 
 def all_scenes():

@@ -125,7 +125,11 @@ ROWS = [
     ("fabric x100", "fabric", "fabric 100 times too stiff: p = 10 mu", springs(2e4), False),
     ("fabric x1000", "fabric", "fabric 1000 times too stiff: tissue is crushed to half", springs(2e5), False),
     ("gossamer", "fabric", "fabric 100000 times softer", springs(2e-3), False),
-    ("foil", "fabric", "foil of 100 kN/m, 0.2 % undersize", {"rest": 0.0499, **springs(1e5)}, False),
+    # The strain at the answer is 0.07 %. The error of girth that makes 1e-3 of pressure on the ordinary tube (strain 25 %), 2e-4,
+    # makes a quarter here; the finer mesh must do better.
+    ("foil", "fabric", "foil of 100 kN/m, 0.2 % undersize: strain 0.07 %", {"rest": 0.0499, **springs(1e5), "tolerance": 0.25}, False),
+    ("foil, fine mesh", "fabric", "the same, 24 cells round, cloth of a fifth of a cell",
+     {"rest": 0.0499, **springs(1e5), "around": 24, "along": 3, "cloth": 0.2, "tolerance": 1e-2}, False),
     ("undersize 2 %", "undersize", "2 % undersize", {"rest": 0.049}, False),
     ("undersize 40 %", "undersize", "40 % undersize", {"rest": 0.030}, True),
     ("undersize 60 %", "undersize", "60 % undersize", {"rest": 0.020}, False),
@@ -148,7 +152,8 @@ ROWS = [
     ("nearly hollow", "core", "bone of 1 mm in a limb of 50 mm", {"layers": soft(inner=0.001)}, False),
     ("bone under the skin", "core", "0.2 mm of tissue on the bone", {"layers": soft(inner=0.0498), "through": 1}, False),
     ("sliver cells", "mesh", "cells 31 mm round and 2 mm along", {"around": 10, "along": 20, "through": 1, "tolerance": 2e-3}, False),
-    ("needle cells", "mesh", "cells 8 mm round and 150 mm along", {"length": 0.3, "around": 40, "along": 2, "through": 1}, False),
+    # Half the mean cell is four times the skin's cell round: the tolerance of coarse cloth.
+    ("needle cells", "mesh", "cells 8 mm round and 150 mm along", {"length": 0.3, "around": 40, "along": 2, "through": 1, "tolerance": 1e-2}, False),
     ("flat cells", "mesh", "ten layers of cells 0.1 mm thick", {"layers": soft(inner=0.049), "through": 10, "along": 1}, False),
     ("coarse cloth", "mesh", "cloth 4 times coarser than skin", {"around": 32, "cloth": 4.0, "tolerance": 1e-2}, False),
     ("fine cloth", "mesh", "cloth 6 times finer than skin", {"around": 8, "along": 1, "cloth": 1 / 6, "tolerance": 2e-3}, False),
