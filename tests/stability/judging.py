@@ -1,5 +1,6 @@
 """What is held against what: exact answers, twins, Laplace's estimate, ordinary scenes, and the counts of the whole."""
 import math
+import re
 from dataclasses import dataclass
 
 import laplace
@@ -7,6 +8,7 @@ import running
 
 SAME_PRESSURE, SAME_ITERATIONS = 1e-6, 2   # of a scene in other units, turned, mirrored or shifted
 LAPLACE_BAND = (0.85, 1.15)                # outside: to be looked at; no failure, because it is an estimate
+NAMED = re.compile(r"equilibrium|friction|hold|held|slid|slip|gather|loose", re.IGNORECASE)  # the cause, in whatever words
 KEYS = ("mean_contact_pressure_Pa", "mean_skin_radial_displacement_m")
 
 
@@ -61,10 +63,10 @@ def judge(scene, outcome, outcomes, start, work):
 def judge_slide(row):
     """There is no equilibrium (near the placed garment): the run fails and says why, or warns of what it found."""
     outcome = row.outcome
-    told = outcome.message if not outcome.converged else " ".join(outcome.warnings + outcome.summary.get("warnings", []))
+    told = NAMED.search(" ".join([outcome.message, *outcome.warnings, *map(str, outcome.summary.get("warnings", []))]))
     row.good = bool(told)
     row.wrong = outcome.converged and not told
-    row.verdict = "said so" if told else "WRONG: converged where nothing holds the garment"
+    row.verdict = "said so" if told else "WRONG: converged where nothing holds the garment" if row.wrong else "failed without saying why"
 
 
 def judge_converged(row, twin, work):

@@ -2,6 +2,8 @@
 import csv
 import math
 
+COLUMNS = ("x", "y", "z", "ux", "uy", "uz", "pressure")
+
 
 def hull_length(points):
     """Perimeter of the convex hull: the cloth bridges hollows."""
@@ -28,9 +30,10 @@ def cross(o, a, b):
 def rings(path):
     """height -> rows of skin.csv, undeformed heights to a micrometre."""
     found = {}
-    for row in csv.DictReader(path.open()):
-        row = {key.split(" ")[0]: float(value) for key, value in row.items() if key.split(" ")[0] in ("x", "y", "z", "ux", "uy", "uz", "pressure")}
-        found.setdefault(round(row["z"], 6), []).append(row)
+    with path.open() as file:
+        for row in csv.DictReader(file):
+            row = {key.split(" ")[0]: float(value) for key, value in row.items() if key.split(" ")[0] in COLUMNS}
+            found.setdefault(round(row["z"], 6), []).append(row)
     return dict(sorted(found.items()))
 
 

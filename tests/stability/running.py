@@ -84,7 +84,7 @@ def read(folder, code, text, seconds):
     outcome.status = outcome.summary["status"]
     outcome.message = outcome.summary.get("message", "")
     history = folder / "out" / "history.csv"
-    outcome.history = list(csv.DictReader(history.open())) if history.is_file() else []
+    outcome.history = list(csv.DictReader(history.read_text().splitlines())) if history.is_file() else []
     outcome.numbers = dict(outcome.summary.get("numbers", {}))
     stretch = stretch_along_z(folder / "out")
     if stretch:
