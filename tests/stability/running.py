@@ -1,5 +1,6 @@
 """Runs a scene with the built program and reads what it said: summary.json, history.csv, listings, forecast, time."""
 import csv
+import hashlib
 import json
 import math
 import os
@@ -8,6 +9,7 @@ import resource
 import shutil
 import subprocess
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from case_files import write_case
 
@@ -53,16 +55,38 @@ def run(scene, program, work, limit, command="run"):
     """Writes the case of the scene into `work` and runs it, at most `limit` seconds of processor time; "check": plans it."""
     folder = folder_of(scene.name, work)
     write_case(folder, scene.name, scene.case, scene.files, scene.system)
-    shutil.rmtree(folder / "out", ignore_errors=True)
-    command = [str(program), command, str(folder), *(["--no-report", "--out", str(folder / "out")] if command == "run" else [])]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
+    stamp = stamp_of(program, folder, scene)
+    if command == "run":
+        if earlier := earlier_run(folder, stamp):
+            return read(folder, earlier["exit"], (folder / "printed").read_text(), earlier["seconds"])
+        shutil.rmtree(folder / "out", ignore_errors=True)
+    words = [str(program), command, str(folder), *(["--no-report", "--out", str(folder / "out")] if command == "run" else [])]
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit) + 5)))
     text = process.stdout.read()
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
-    (folder / "printed").write_text(text)
-    return read(folder, process.returncode, text, used.ru_utime + used.ru_stime)
+    seconds = used.ru_utime + used.ru_stime
+    if command == "run":
+        (folder / "printed").write_text(text)
+        (folder / "ran.json").write_text(json.dumps({"stamp": stamp, "exit": process.returncode, "seconds": seconds}))
+    return read(folder, process.returncode, text, seconds)
+
+
+def stamp_of(program, folder, scene):
+    """Of the program and of all files of the case: a kept run is taken over only where both are the same."""
+    digest = hashlib.sha256(Path(program).read_bytes())
+    for name in ["case.toml", *sorted(scene.files)]:
+        digest.update((folder / name).read_bytes())
+    return digest.hexdigest()
+
+
+def earlier_run(folder, stamp):
+    """The kept run of the same stamp, unless it was ended before its end; None where there is none."""
+    kept = folder / "ran.json"
+    found = json.loads(kept.read_text()) if kept.is_file() else None
+    return found if found and found["stamp"] == stamp and found["exit"] >= 0 else None
 
 
 def read(folder, code, text, seconds):
