@@ -119,7 +119,7 @@ bool PressureLoad::assemble(const State& state, Tangent tangent, Sink& sink) con
       const Eigen::Matrix3d t1 = cross_matrix(t.col(0)), t2 = cross_matrix(t.col(1));
       for (int a = 0; a < nodes; ++a) {
         residual.segment<3>(3 * a) += p * shape.N[a] * n;
-        for (int b = 0; b < nodes && tangent == Tangent::full; ++b)
+        for (int b = 0; b < nodes && (tangent == Tangent::full || (!symmetric_ && wanted(tangent))); ++b)
           matrix.block<3, 3>(3 * a, 3 * b) += p * shape.N[a] * (shape.dN(b, 1) * t1 - shape.dN(b, 0) * t2);
       }
     }

@@ -86,6 +86,7 @@ TubeCase tapering(double poisson_ratio, const std::string& elements) {
   TubeCase tube = tube_of({.k1 = 300.0, .poisson_ratio = poisson_ratio});
   tube.length = 0.060, tube.taper = 1.0 / 6.0, tube.radius = 0.050;
   tube.around = 20, tube.along = 4, tube.through = 2, tube.elements = elements;
+  tube.cell_size = 0.006;  // on every kind of skin alike
   return tube;
 }
 

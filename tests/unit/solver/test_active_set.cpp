@@ -22,7 +22,8 @@ struct Complementarity {
     Eigen::VectorXd b = Eigen::VectorXd::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i)
       if (set[static_cast<int>(i)]) A.row(i) = M.row(i), b[i] = -q[i];
-    const Eigen::VectorXd z = A.partialPivLu().solve(b), w = M * z + q;
+    // not partialPivLu: libgmsh would take this program's, and frees memory otherwise than it allocates
+    const Eigen::VectorXd z = A.householderQr().solve(b), w = M * z + q;
     std::vector<double> trials(n);
     for (Eigen::Index i = 0; i < n; ++i) trials[i] = set[static_cast<int>(i)] ? z[i] : -w[i];
     return trials;
