@@ -56,18 +56,27 @@ class Curve {
     const std::size_t n = loads_.size();
     if (loads_[n - 1].second >= loads_[n - 2].second) {
       result_.strongest = at_;
-    } else if (n > 2) {
-      result_.limit_load = top(loads_[n - 3], loads_[n - 2], loads_[n - 1]);
     } else {
-      result_.limit_load = loads_[0].second;
+      result_.limit_load = top();
     }
   }
 
-  /// The largest value of the parabola through three points.
-  static double top(std::pair<double, double> a, std::pair<double, double> b, std::pair<double, double> c) {
-    const double left = (b.second - a.second) / (b.first - a.first), right = (c.second - b.second) / (c.first - b.first);
-    const double bend = (right - left) / (c.first - a.first), slope = left + bend * (b.first - a.first);  // at b
-    return b.second - 0.25 * slope * slope / bend;
+  /// The largest value of the polynomial through the last states, up to four, between the last three of them.
+  double top() const {
+    const std::size_t n = loads_.size(), first = n > 4 ? n - 4 : 0;
+    double largest = loads_[n - 2].second;
+    for (int k = 1; k < 1000; ++k) {
+      const double from = loads_[n > 2 ? n - 3 : 0].first, l = from + 1e-3 * k * (loads_[n - 1].first - from);
+      double value = 0.0;
+      for (std::size_t i = first; i < n; ++i) {
+        double weight = loads_[i].second;
+        for (std::size_t j = first; j < n; ++j)
+          if (j != i) weight *= (l - loads_[j].first) / (loads_[i].first - loads_[j].first);
+        value += weight;
+      }
+      largest = std::max(largest, value);
+    }
+    return largest;
   }
 
   /// a and b of the system in the header at a state that is assembled.

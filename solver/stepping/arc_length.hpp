@@ -20,7 +20,7 @@ struct ArcSettings {
 struct ArcResult {
   PathResult path;                   ///< the last state; complete: at full load, or where `stop` held. `reached`: its load
   State strongest;                   ///< the state before the load fell for the first time, or the last one
-  std::optional<double> limit_load;  ///< the largest load there, by the parabola through three states over their arc
+  std::optional<double> limit_load;  ///< the largest load there, by the polynomial through four states over their arc
 };
 
 /// From a converged state below full load along the curve R(x, s) = 0, first towards more load. Increments of length l,
