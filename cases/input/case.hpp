@@ -68,7 +68,8 @@ struct ComfortSpec {
 };
 
 struct SolverSpec {
-  std::string tier = "L4";  ///< L0 | L1 | L4
+  std::string tier = "L4";    ///< L0 | L1 | L4
+  std::string path = "load";  ///< load | arc length
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -77,6 +78,12 @@ struct SolverSpec {
                            "L4: nonlinear layered body",
                 .choices = {"L0", "L1", "L4"}},
           self.tier);
+    field(Field{.key = "path",
+                .meaning = "how the load of a body without a garment grows. load: in increments; where a largest load ends "
+                           "them, along the curve of equilibria, which goes on with less load. arc length: along that curve "
+                           "from a twentieth of the load on",
+                .choices = {"load", "arc length"}},
+          self.path);
   }
 };
 

@@ -209,6 +209,17 @@ void check_reference(const Case& description, const Table& root, Diagnostics& di
   if (!description.body) diagnostics.error(where, "there is a [reference] but no [body]", "leave [reference] out");
 }
 
+void check_path(const Case& c, const Table& root, Diagnostics& diagnostics) {
+  if (c.solver.path != "arc length") return;
+  const Location where = root.where_is("solver");
+  if (c.garment)
+    diagnostics.error(where, "path = \"arc length\" is for loads on a body, and here a garment tightens", "leave path out");
+  for (const SupportSpec& support : c.support)
+    if (support.turn != 0.0 || support.x.value_or(0.0) != 0.0 || support.y.value_or(0.0) != 0.0 || support.z.value_or(0.0) != 0.0)
+      diagnostics.error(support.where, "a support that moves needs no path = \"arc length\": its force may fall as it goes",
+                        "leave path out, or load the body with forces alone");
+}
+
 void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
   if (c.solver.tier == "L4") return;
   if (root.find("load"))
@@ -250,6 +261,7 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
   check_tier(description, root, diagnostics);
+  check_path(description, root, diagnostics);
   check_reference(description, root, diagnostics);
   if (description.body && description.comfort && description.body->locations.empty())
     diagnostics.error(root.where_is("comfort"), "[comfort] has no locations to judge",

@@ -140,7 +140,7 @@ class Run {
     keep(scene, placed, 0.0);
     const auto [path, limit_load] =
         case_.garment ? LoadedPath{follow_path(scene, placed, tightening(), settings(skin), log_.sink(name)), {}}
-                      : follow_load(scene, placed, false, settings(skin), log_.sink(name),
+                      : follow_load(scene, placed, case_.solver.path == "arc length", settings(skin), log_.sink(name),
                                     log_.sink(name + ", along its curve"));
     accept(scene, path, name);
     if (limit_load) result_.numbers["limit_load_share"] = *limit_load;
