@@ -57,7 +57,7 @@ TEST(Scripts, CommandsThatReachOutsideAreRefusedWithTheirLine) {
         "If (0) SystemCall \"id\"; EndIf", "SystemCall /* */ \"id\";", "SystemCall\n\"id\";", "Unheard \"id\";", "x = 1; x \"id\";",
         "SystemCall = 1;"}) {
     const std::string found = verdict(block + line + "\n");
-    EXPECT_NE(found.find("m.geo:18:"), std::string::npos) << line << " -> " << found;
+    EXPECT_NE(found.find("m.geo:17:"), std::string::npos) << line << " -> " << found;
     EXPECT_NE(found.find("error: "), std::string::npos) << line;
   }
 }
@@ -170,7 +170,7 @@ TEST_F(Imported, GmshsErrorsAreTheInputs) {
   body("m.geo", block + "Boxx(9) = {0,0,0};\n");
   Outcome outcome = bounded("check c");
   EXPECT_EQ(outcome.status, 2) << outcome.text;
-  EXPECT_NE(outcome.text.find("m.geo:18:"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("m.geo:17:"), std::string::npos) << outcome.text;
   const std::string mesh = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 8 1 8\n3 1 0 8\n1\n2\n";
   body("m.msh", mesh);
   outcome = bounded("check c");
