@@ -9,7 +9,8 @@ namespace {
 
 NewtonSettings increment_settings(const PathSettings& path, bool last, int failures) {
   NewtonSettings settings = path.newton;
-  settings.recut = settings.minimum = last;
+  settings.recut = last;
+  settings.minimum = last && path.minimum;
   if (!last) {
     settings.residual = path.intermediate_residual;
     settings.complementarity = 1e-2;

@@ -72,15 +72,13 @@ constexpr int few_vertices = 200;  // one in so many
 
 // How exactly a step is worth solving for: the square of what the last step brought, with a factor of safety (Eisenstat &
 // Walker, SIAM J. Sci. Comput. 17 (1996), choice 2: gamma = 0.3, alpha = 2), which keeps quadratic convergence and spends
-// little where friction's is linear; no more than a hundredth of what is asked for in the end; tighter while vertices still
-// come and go, so that they do not follow its errors.
+// little where friction's is linear; tighter while vertices still come and go, so that they do not follow its errors.
 // A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
 // from the solution, where the tangent changes too much from step to step and its inertia is in doubt. The residual that
 // counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
 Lag forcing(const NewtonSettings& settings, double residual, double reduction, bool settled, int changed) {
   const double loosest = changed > 0 ? 1e-4 : 2e-2;
-  const double wanted = std::max(0.3 * reduction * reduction, 0.01 * settings.residual / residual);
-  return {settings.may_lag && settled && residual < near, std::clamp(wanted, 1e-10, loosest)};
+  return {settings.may_lag && settled && residual < near, std::clamp(0.3 * reduction * reduction, 1e-10, loosest)};
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots

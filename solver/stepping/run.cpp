@@ -98,6 +98,8 @@ class Run {
     PathSettings path;
     path.newton.stop = stop_;
     path.newton.may_lag = skin == Skin::deformable;
+    path.minimum = case_.garment.has_value();
+    path.lost_iterations = 60;  // at most five times what a good scene takes
     path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
     if (kept_.steps > 0) {
       path.longest_step = 1.0 / kept_.steps;
