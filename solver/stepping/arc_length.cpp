@@ -63,7 +63,10 @@ class Curve {
 
   /// The largest value of the polynomial through the last states, up to four, between the last three of them.
   double top() const {
-    const std::size_t n = loads_.size(), first = n > 4 ? n - 4 : 0;
+    const std::size_t n = loads_.size();
+    const auto arc = [&](std::size_t i) { return loads_[i + 1].first - loads_[i].first; };
+    std::size_t first = n > 4 ? n - 4 : 0;
+    if (n - first == 4 && arc(first) < arc(n - 2) / 3.0) ++first;  // too near the next one to tell more than noise
     double largest = loads_[n - 2].second;
     for (int k = 1; k < 1000; ++k) {
       const double from = loads_[n > 2 ? n - 3 : 0].first, l = from + 1e-3 * k * (loads_[n - 1].first - from);

@@ -69,16 +69,20 @@ bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double rou
 constexpr double near = 1e-3;
 // Vertices that come or go while the last factor still does for the others: each costs FGMRES an iteration or two.
 constexpr int few_vertices = 200;  // one in so many
+// Reduction of the residual by a step of Newton's method that converges quadratically.
+constexpr double fast = 0.03;
 
 // How exactly a step is worth solving for: the square of what the last step brought, with a factor of safety (Eisenstat &
 // Walker, SIAM J. Sci. Comput. 17 (1996), choice 2: gamma = 0.3, alpha = 2), which keeps quadratic convergence and spends
-// little where friction's is linear; tighter while vertices still come and go, so that they do not follow its errors.
+// little where friction's is linear; of the order of the residual (choice 1's limit) where convergence is fast anyway; tighter
+// while vertices still come and go, so that they do not follow its errors.
 // A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
 // from the solution, where the tangent changes too much from step to step and its inertia is in doubt. The residual that
 // counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
 Lag forcing(const NewtonSettings& settings, double residual, double reduction, bool settled, int changed) {
   const double loosest = changed > 0 ? 1e-4 : 2e-2;
-  return {settings.may_lag && settled && residual < near, std::clamp(0.3 * reduction * reduction, 1e-10, loosest)};
+  const double wanted = reduction < fast ? 0.1 * residual : 0.3 * reduction * reduction;
+  return {settings.may_lag && settled && residual < near, std::clamp(wanted, 1e-10, loosest)};
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
