@@ -90,7 +90,8 @@ solver::Meshes make_meshes(const input::Case& description, const CaseOptions& op
   }
   if (!description.garment) return meshes;
   const double cell_size = solver::worn_cell_size(description, meshes.limb, meshes.body);
-  refuse_large_garment(description, cell_size, options.memory_limit());
+  const double given = description.garment->cell_size;
+  refuse_large_garment(description, given > 0.0 ? given : cell_size, options.memory_limit());
   meshes.garment = mesh::make_garment_mesh(*description.garment, meshes.limb, cell_size);
   return meshes;
 }
