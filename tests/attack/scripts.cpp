@@ -115,7 +115,8 @@ TEST(Contained, NothingIsStartedAndNothingIsWritten) {
         const bool ran = std::system(("echo ran > " + file.string()).c_str()) == 0;
         std::ofstream(file.string() + "-new") << "x";
         std::ofstream("here") << "x";
-        fs::remove(file);
+        std::error_code refused;
+        fs::remove(file, refused);
         return std::string(ran || fs::exists("here") || fs::exists(file.string() + "-new") ? "harm" : "none");
       },
       {});
