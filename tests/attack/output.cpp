@@ -113,10 +113,10 @@ TEST_F(Attack, AWriteThatFailsKeepsTheEarlierResults) {
   // A limit on the size of files fails the writes from some file on, as a full disk does: the status says so, the earlier
   // results stay whole, and nothing half-written remains.
   ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
-  ASSERT_EQ(snug(std::string("run mine") + coarse).status, 0);
+  ASSERT_EQ(snug(std::string("run mine --no-report") + coarse).status, 0);
   const auto before = tables("mine/out");
-  for (const int blocks : {0, 1, 8, 24, 100, 400}) {
-    const std::string command = "cd '" + folder_.string() + "' && ulimit -f " + std::to_string(blocks) + " && '" + SNUG_BINARY + "' run mine" + coarse +
+  for (const int blocks : {0, 1, 8, 24}) {
+    const std::string command = "cd '" + folder_.string() + "' && ulimit -f " + std::to_string(blocks) + " && '" + SNUG_BINARY + "' run mine --no-report" + coarse +
                                 "> /dev/null 2>&1";
     const int state = std::system(("bash -c \"" + command + "\"").c_str());
     EXPECT_TRUE(WEXITSTATUS(state) == 4 || WEXITSTATUS(state) == 2) << blocks << " " << WEXITSTATUS(state);
