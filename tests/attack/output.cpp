@@ -150,11 +150,11 @@ TEST_F(Attack, TheSameCaseTwiceGivesTheSameBytes) {
 TEST_F(Attack, EightRunsAtOnceLeaveOneWholeResult) {
   // Runs that end at the same time in one directory follow each other; what stands is the whole result of one.
   ASSERT_EQ(snug("new mine --like limb-alone").status, 0);
-  ASSERT_EQ(snug(std::string("run mine --tier L1 --no-report") + coarse).status, 0);
+  ASSERT_EQ(snug(std::string("run mine --no-report") + coarse).status, 0);
   const auto expected = tables("mine/out");
   std::vector<pid_t> running;
   for (int n = 0; n < 8; ++n)
-    running.push_back(start({"run", "mine", "--tier", "L1", "--no-report", "--quiet", "--set", "body.cells_around=8", "--set", "body.cells_along=1"}));
+    running.push_back(start({"run", "mine", "--no-report", "--quiet", "--set", "body.cells_around=8", "--set", "body.cells_along=1"}));
   for (const pid_t one : running) EXPECT_EQ(end(one), 0) << text("log");
   EXPECT_EQ(tables("mine/out"), expected);
   EXPECT_EQ(names("mine"), (std::vector<std::string>{"README.md", "body", "case.toml", "out"}));
