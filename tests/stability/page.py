@@ -13,7 +13,7 @@ def figure(row):
 
 def line(row):
     outcome = row.outcome
-    way = [w for w in (running.ladder(outcome), f"{len(outcome.warnings)} warnings" if outcome.warnings else "") if w]
+    way = [w for w in (running.ladder(outcome), ", ".join(f"warns: {name}" for name in outcome.named_warnings)) if w]
     cells = [row.scene.name, row.scene.stresses, outcome.status, outcome.summary.get("increments", ""), outcome.iterations or "",
              "; ".join(way), f"{outcome.seconds:.1f}", f"{row.over:.1f}" if row.over else "", figure(row), row.verdict]
     return "| " + " | ".join(str(c).replace("|", "/") for c in cells) + " |"
@@ -43,7 +43,7 @@ def page(rows, counts, stamp):
              "*s*: seconds of the processor, starting included. *over ordinary*: time over that of the ordinary scene of the same kind, by",
              "unknown. *error*: against the exact answer, or against the twin in other units or places. *L*: pressure over Laplace's",
              "estimate (tension over radius, by the girths of the deformed skin), an estimate and no bound. *on the way*: increments",
-             "begun anew and events of `history.csv`. *said so*: no equilibrium exists, and the run names what is missing."]
+             "begun anew, events of `history.csv`, and what the run warns of. *said so*: no equilibrium exists, and the run names what is missing."]
     for group in dict.fromkeys(r.scene.group for r in rows):
         text += ["", f"### {group}", "", HEAD, *(line(r) for r in rows if r.scene.group == group)]
     return "\n".join(text) + "\n"

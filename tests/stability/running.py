@@ -43,6 +43,11 @@ class Outcome:
         return self.summary.get("iterations", 0)
 
     @property
+    def named_warnings(self):
+        """Of summary.json: what was measured on the answer and lies outside its limit."""
+        return [w["name"] for w in self.summary.get("warnings", []) if isinstance(w, dict)]
+
+    @property
     def unknowns(self):
         return self.summary.get("unknowns", {}).get("total", 0)
 

@@ -83,6 +83,12 @@ class Verdicts(unittest.TestCase):
         self.assertTrue(verdict(self.scene, outcome("converged")).wrong)
         self.assertTrue(verdict(self.scene, outcome("converged", p=100.5)).good)
 
+    def test_an_answer_off_the_exact_one_that_warns_of_gathered_cloth_is_told_but_not_good(self):
+        found = outcome("converged", p=102.0)
+        found.summary["warnings"] = [{"name": "gathered cloth"}]
+        row = verdict(self.scene, found)
+        self.assertFalse(row.wrong or row.good)
+
     def test_a_run_that_did_not_converge_is_not_wrong_and_not_good(self):
         row = verdict(self.scene, outcome("partial", p=50.0))
         self.assertFalse(row.wrong or row.good)
