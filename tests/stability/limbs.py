@@ -76,7 +76,7 @@ def tapers():
     yield taper("taper shear nearly 0", "anisotropy", "shear stiffness a millionth of the tensile", fabric=spring_fabric(125.0, 1e-6))
     yield taper("taper skin on jelly", "contrast", "skin membrane of 1 MPa on tissue of 500 Pa", layers=[tissue(500.0), skin(1e6)])
     yield taper("taper touching", "loose", "sleeve of the narrow hem's girth: zero prestress there", rest=0.046)
-    yield taper("partly loose", "loose", "sleeve of the middle's girth, upper hem held", rest=0.050, held=("upper",), quick=True, **loose)
+    yield taper("partly loose", "loose", "sleeve of the middle's girth, upper hem held", rest=0.050, held=("upper",), **loose)
     yield taper("partly loose, free", "loose", "sleeve of the middle's girth, no hem held", rest=0.050, **loose)
     yield taper("partly loose, heavy", "loose", "the same with weight and bending", rest=0.050, held=("upper",),
                 fabric=spring_fabric(125.0, **weight), **loose)
