@@ -64,9 +64,7 @@ class Curve {
   /// The largest value of the polynomial through the last states, up to four, between the last three of them.
   double top() const {
     const std::size_t n = loads_.size();
-    const auto arc = [&](std::size_t i) { return loads_[i + 1].first - loads_[i].first; };
-    std::size_t first = n > 4 ? n - 4 : 0;
-    if (n - first == 4 && arc(first) < arc(n - 2) / 3.0) ++first;  // too near the next one to tell more than noise
+    const std::size_t first = n > 4 ? n - 4 : n > 3 ? 1 : 0;  // the state that the curve starts from is of another path
     double largest = loads_[n - 2].second;
     for (int k = 1; k < 1000; ++k) {
       const double from = loads_[n > 2 ? n - 3 : 0].first, l = from + 1e-3 * k * (loads_[n - 1].first - from);
@@ -178,7 +176,10 @@ ArcResult follow_arc(Scene& scene, const State& start, const State& origin, cons
 LoadedPath follow_load(Scene& scene, const State& placed, bool along_curve, const PathSettings& settings, const IterationSink& rows,
                        const IterationSink& curve_rows) {
   const double to = along_curve ? first_by_load : 1.0;
-  LoadedPath loaded{follow_path(scene, placed, tightening(0.0, to), settings, rows), {}};
+  PathSettings by_load = settings;
+  by_load.intermediate_residual = std::min(settings.intermediate_residual, 1e-6);  // looser states creep past the largest load
+  by_load.lost_iterations = std::min(settings.lost_iterations, 100);               // there is the curve
+  LoadedPath loaded{follow_path(scene, placed, tightening(0.0, to), by_load, rows), {}};
   PathResult& path = loaded.path;
   path.reached *= to;
   const bool loads = std::any_of(scene.terms().begin(), scene.terms().end(), [](const auto& term) { return term->is_load(); });

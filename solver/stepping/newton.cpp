@@ -70,7 +70,7 @@ constexpr double near = 1e-3;
 // Vertices that come or go while the last factor still does for the others: each costs FGMRES an iteration or two.
 constexpr int few_vertices = 200;  // one in so many
 // Reduction of the residual by a step of Newton's method that converges quadratically.
-constexpr double fast = 0.03;
+constexpr double fast = 0.1;
 
 // How exactly a step is worth solving for: the square of what the last step brought, with a factor of safety (Eisenstat &
 // Walker, SIAM J. Sci. Comput. 17 (1996), choice 2: gamma = 0.3, alpha = 2), which keeps quadratic convergence and spends

@@ -243,8 +243,10 @@ class Run {
     } else {
       result_.status = "partial";
       result_.message = fmt::format("without friction no equilibrium was found near the placed garment; what is reported is held by a "
-                                    "coefficient of {:.2g}; give contact.friction, or hold the other edge, too",
-                                    usual_friction / faint.state.release);
+                                    "coefficient of {:.2g}; {}",
+                                    usual_friction / faint.state.release,
+                                    case_.garment->held.size() > 1 ? "a wider garment or stiffer tissue has one"
+                                                                   : "give contact.friction, or hold the other edge, too");
       fill_result(scene, faint.state, meshes_.body, meshes_.garment, result_);
     }
     log_.phase("results");

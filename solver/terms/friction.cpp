@@ -85,7 +85,10 @@ void Friction::place(const State& state, int triangle) {
               weight * (q.gap * c.col(b) * q.at.n.transpose() - q.shape.N[b] * P);
     }
   }
-  for (Corner& corner : element) corner.normal.normalize();
+  for (Corner& corner : element) {  // in the corner's own plane, so that the tractions stay as they are when history takes them over
+    corner.normal.normalize();
+    if (corner.bound > 0.0) corner.slip -= corner.normal * (corner.normal.transpose() * corner.slip).eval();
+  }
 }
 
 bool Friction::update(const State& state) {

@@ -57,7 +57,7 @@ class Friction : public Term {
     double area = 0.0;    ///< A_v of the points that face the skin, m2
     double bound = 0.0;   ///< mu p_v / release, Pa
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries), m2
+    Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries) in the plane of `normal`, m2
   };
   using Element = std::array<Corner, 3>;
   struct Return {
