@@ -24,7 +24,7 @@ int divisions(double length, double cell_size, int least) {
   return std::max(least, static_cast<int>(std::lround(length / cell_size)));
 }
 
-double rounded(double cells) { return std::round(1e6 * cells) / 1e6; }
+double rounded(double length) { return std::round(1e9 * length) / 1e9; }  // to a nanometre
 
 RectangleTags add_rectangle(double width, double length, double cell_size) {
   namespace geo = gmsh::model::geo;
@@ -88,9 +88,9 @@ PatternMesh mesh_rectangle(double width, double length, double cell_size) {
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Algorithm", 5);  // Delaunay
   gmsh::model::add("pattern");
-  // Lengths in cells, rounded, so that the same garment in other units has the same mesh and not one that round-off turned.
-  const double across = rounded(width / cell_size), along = rounded(length / cell_size);
-  const RectangleTags tags = add_rectangle(across, along, 1.0);
+  // Rounded, so that the same garment in other units has the same mesh and not one that round-off turned.
+  const double across = rounded(width), along = rounded(length);
+  const RectangleTags tags = add_rectangle(across, along, rounded(cell_size));
   gmsh::model::mesh::generate(2);
   gmsh::model::mesh::setOrder(2);
   PatternMesh pattern;
