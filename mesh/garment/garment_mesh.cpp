@@ -65,7 +65,7 @@ class Parallel : public Outline {
 /// the distance. Not so far that the parallel curve folds where the section is hollow.
 double distance(const Limb& limb, const SectionArc& skin, double z, double width, double lift) {
   const double wide = (width - skin.girth()) / (2.0 * std::numbers::pi);
-  if (wide <= lift) return lift;
+  if (wide <= lift + 1e-6 * skin.girth()) return lift;  // as wide as the limb but for round-off is not loose
   double hollow = 0.0;  // 1/m
   constexpr int samples = 64;
   for (int i = 0; i < samples; ++i)

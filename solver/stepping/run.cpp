@@ -28,7 +28,7 @@ constexpr double gentle_release = 0.3;
 constexpr double no_friction = 10.0;
 
 /// Fractions of the tightening from which friction acts in the rows that show the spread.
-constexpr std::array<double, 2> spread = {0.5, 0.0};
+constexpr std::array<double, 2> spread = {0.5, 0.1};
 
 /// One run: the parts of the flow share the clock, the observer and the result.
 class Run {
@@ -252,8 +252,8 @@ class Run {
     log_.phase("results");
   }
 
-  /// Other ways of putting the garment on, on the rigid skin: friction from the start of the tightening and over its last
-  /// half; until then the garment sticks.
+  /// Other ways of putting the garment on, on the rigid skin: friction over the last nine tenths of the tightening and over its
+  /// last half; until then the garment sticks (without any pressure friction would hold nothing).
   void add_spread(const Scene& placed, const State& tight) {
     const std::string name = "spread over ways of putting on";
     Scene rigid = make_scene(worn_, meshes_.body, meshes_.garment, Skin::rigid);

@@ -73,7 +73,7 @@ TEST_F(ReportProgram, AFilmIsMadeOfTheStatesOfTheLoadPath) {
   EXPECT_NEAR(mean("walk"), mean("jump"), 1e-6 * mean("jump"));
   const Outcome outcome = snug("animate walk --frames 9");
   EXPECT_EQ(outcome.status, 0) << outcome.text;
-  EXPECT_NE(outcome.text.find("9 frames from 4 states"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("9 frames from 7 states"), std::string::npos) << outcome.text;
   EXPECT_TRUE(fs::exists(folder_ / "walk/animation/skin_0008.vtu"));
   EXPECT_EQ(snug("animate walk --step 3").status, 2);
 }
