@@ -32,7 +32,7 @@ struct ContactSpec {
           self.friction);
     field(Field{.key = "spread",
                 .meaning = "also shows, on the rigid skin, what other ways of putting the garment on would change: friction "
-                           "over the last half of the tightening and from its start"},
+                           "over the last half of the tightening and over its last nine tenths"},
           self.spread);
   }
 };

@@ -46,7 +46,9 @@ std::vector<std::string> command_line(const fs::path& directory, const CaseOptio
 }  // namespace
 
 StudyRow measure(const fs::path& directory, const CaseOptions& options, const fs::path& work) {
-  const fs::path out = work / "run";
+  // Not in `work` itself, which the study holds locked: a run locks the folder beside its results to exchange them.
+  const fs::path room = work / "runs", out = room / "run";
+  fs::create_directories(room);
   const ChildOutcome child = run_child(command_line(directory, options, out), work);
   if (child.status != done && child.status != not_converged)
     throw std::runtime_error(fmt::format("a run of the study ended with status {}: {}", child.status, child.output));
@@ -55,7 +57,7 @@ StudyRow measure(const fs::path& directory, const CaseOptions& options, const fs
   read_summary(out / "summary.json", row);
   row.map = postproc::read_skin_map(out / "skin.csv");
   row.skin_nodes = static_cast<double>(row.map.nodes.size());
-  fs::remove_all(out);
+  fs::remove_all(room);
   return row;
 }
 
