@@ -19,10 +19,17 @@ std::string text_of(const fs::path& file) {
 Json read_json(const fs::path& file) {
   try {
     return Json::parse(text_of(file));
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {  // of parsing: also a number beyond the largest
     throw input::InputError({file.string(), 0, 0}, std::string("this is no JSON: ") + error.what(),
                             "run the case again");
   }
+}
+
+/// What every run writes, of its kind: a page of less would be empty and look like a result. Throws Json::exception.
+void check_summary(const Json& summary) {
+  for (const char* key : {"title", "tier", "status", "message"}) summary.at(key).get_ref<const std::string&>();
+  for (const char* key : {"numbers", "balance", "unknowns", "plan"}) summary.at(key).get_ref<const Json::object_t&>();
+  for (const char* key : {"warnings", "phases"}) summary.at(key).get_ref<const Json::array_t&>();
 }
 
 /// What a number outside of an int would become is not defined.
@@ -67,6 +74,11 @@ RunFiles read_run(const fs::path& out) {
   RunFiles run;
   run.name = name_of(out);
   run.summary = read_json(out / "summary.json");
+  try {
+    check_summary(run.summary);
+  } catch (const Json::exception& error) {
+    throw not_as_written(out, error);
+  }
   if (fs::exists(out / "comfort.json")) run.comfort = read_json(out / "comfort.json");
   run.history = read_history(out / "history.csv");
   run.echo = text_of(out / "case.echo.toml");

@@ -137,6 +137,14 @@ class Imported : public Attack {
   }
 };
 
+TEST_F(Imported, AScriptOfGeometryIsMeshed) {
+  // The same script as above through the program.
+  body("m.geo", block);
+  const Outcome outcome = snug("check c");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("tissue"), std::string::npos);
+}
+
 TEST_F(Imported, OnlyTheHeaderMakesAMesh) {
   // Script text in a file called .msh, .pos or without ending is not run.
   for (const std::string name : {"m.msh", "m.pos", "m", "m.geo_unrolled", "m.MSH"}) {
@@ -147,6 +155,15 @@ TEST_F(Imported, OnlyTheHeaderMakesAMesh) {
     EXPECT_FALSE(there("ran") || there("c/ran") || there("c/body/ran"));
     fs::remove_all(folder_ / "c");
   }
+}
+
+TEST_F(Imported, OptionFilesBesideAMeshAreNotRead) {
+  // A clean script with an option file that would run a command.
+  body("m.geo", block);
+  for (const std::string option : {"m.geo.opt", "m.opt", ".gmshrc", ".gmsh-options"})
+    put("c/body/" + option, "SystemCall \"touch " + (folder_ / "ran").string() + "\";\n");
+  EXPECT_EQ(snug("check c").status, 0);
+  EXPECT_FALSE(there("ran"));
 }
 
 TEST_F(Imported, GmshsErrorsAreTheInputs) {
@@ -165,6 +182,15 @@ TEST_F(Imported, GmshsErrorsAreTheInputs) {
   body("m.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 99999999999 1 99999999999\n3 1 0 99999999999\n1\n$EndNodes\n");
   outcome = bounded("check c");
   EXPECT_EQ(outcome.status, 2) << outcome.text;
+}
+
+TEST_F(Imported, ScriptsMayDoMoreForThoseWhoSaySo) {
+  // --allow-scripts: an included file is read.
+  body("m.geo", "Include \"size.txt\";\n" + block);
+  put("c/body/size.txt", "ready = 1;\n");
+  EXPECT_EQ(snug("check c").status, 2);
+  const Outcome outcome = snug("check c --allow-scripts");
+  EXPECT_EQ(outcome.status, 0) << outcome.text;
 }
 
 }  // namespace

@@ -43,6 +43,27 @@ TEST_F(Stopped, ASignalGivesUpTheStepAndKeepsWhatConverged) {
   }
 }
 
+TEST_F(Stopped, AKilledRunLeavesTheEarlierResults) {
+  // After SIGKILL the earlier results stand, nothing lies beside them or in the temporary folder, and the next run works.
+  const pid_t run = solving();
+  ::kill(run, SIGKILL);
+  EXPECT_EQ(end(run), 137);
+  EXPECT_TRUE(eventually([&] { return nothing_left(); }));
+  EXPECT_EQ(text("mine/out/summary.json"), before_);
+  EXPECT_EQ(snug("run mine --quiet --tier L1 --set body.cells_around=8 --set body.cells_along=1").status, 0);
+}
+
+TEST_F(Stopped, ASecondSignalEndsAtOnce) {
+  // The first asks, the second does not; the earlier results stand.
+  const pid_t run = solving();
+  ::kill(run, SIGINT);
+  ::kill(run, SIGINT);
+  ::kill(run, SIGTERM);
+  const int status = end(run);
+  EXPECT_TRUE(status == 130 || status == 143) << status;
+  EXPECT_TRUE(eventually([&] { return nothing_left(); }));
+}
+
 /// Processes of the program that work in a folder.
 std::vector<pid_t> programs(const fs::path& folder) {
   std::vector<pid_t> found;

@@ -167,6 +167,29 @@ TEST(Texts, NamesReachGnuplotAsData) {
   fs::remove_all(folder);
 }
 
+TEST_F(Attack, ThePageOfDamagedResultsIsTheInputs) {
+  // Grids, tables and JSON in a folder of results that are cut short or not as a run writes them: status 2, with the file.
+  ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);
+  ASSERT_EQ(snug(std::string("run mine --tier L1") + coarse).status, 0);
+  const std::map<std::string, std::vector<std::string>> damage = {
+      {"body_0000.vtu", {text("mine/out/body_0000.vtu").substr(0, 3000), "<VTKFile type=\"UnstructuredGrid\">", "nonsense", ""}},
+      {"skin.csv", {"node\n99999999\n", "node\n-1\n", "node\nnan\n", "x"}},
+      {"summary.json", {"{}", "[]", "{\"status\": 3}", "nonsense", "{\"numbers\": 7}", ""}},
+      {"history.csv", {"increment,load\n1,x\n"}},
+      {"body.pvd", {"<DataSet timestep=\"x\" file=\"y\"/>", "<DataSet timestep=\"0\" file=\"../../../etc/passwd\"/>"}}};
+  for (const auto& [name, contents] : damage) {
+    const std::string whole = text("mine/out/" + name);
+    for (const std::string& content : contents) {
+      put("mine/out/" + name, content);
+      const Outcome outcome = bounded("report mine/out --no-pictures");
+      EXPECT_EQ(outcome.status, 2) << name << ": " << content.substr(0, 40) << " -> " << outcome.text;
+      EXPECT_NE(outcome.text.find("error: "), std::string::npos) << outcome.text;
+    }
+    put("mine/out/" + name, whole);
+  }
+  EXPECT_EQ(snug("report mine/out --no-pictures").status, 0);
+}
+
 TEST_F(Attack, NamesOfPlacesCannotEndTheScriptOfThePage) {
   // A location called <!--<script> or </script> stands in the page as text; the data of the view are JSON still.
   ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <ctime>
+#include <map>
 
 #include "solver/scene/scene.hpp"
 #include "solver/stepping/load_path.hpp"
@@ -154,16 +155,29 @@ double mean_difference(const std::vector<double>& a, const std::vector<double>& 
   return std::sqrt(sum / size);
 }
 
+/// Means round the limb, one a height of the skin's nodes: what holds the frictionless sleeve against a turn about the axis is
+/// only the mesh, so that nodes of two runs see the garment's cells at different places.
+std::vector<double> ring_means(const postproc::BodyResult& body) {
+  std::map<long, std::pair<double, int>> rings;  // by height in micrometres
+  for (std::size_t n = 0; n < body.nodes.size(); ++n) {
+    auto& [sum, count] = rings[std::lround(1e6 * body.nodes[n].z())];
+    sum += body.contact_pressure[n], ++count;
+  }
+  std::vector<double> means;
+  for (const auto& [height, ring] : rings) means.push_back(ring.first / ring.second);
+  return means;
+}
+
 /// Forces and moments balance, no traction exceeds mu p, with vanishing friction the frictionless pressure comes back.
 TEST(SoftFriction, ObeysItsBoundBalancesAndVanishesWithItsCoefficient) {
   const Timed smooth = solved(tapered(0.0));
   ASSERT_EQ(smooth.result.status, "converged") << smooth.result.message;
-  for (const double mu : {1e-4, 0.1, 0.25, 0.5}) {
+  for (const double mu : {1e-4, 1e-3, 0.1, 0.25, 0.5}) {
     const Timed rough = solved(tapered(mu));
     const postproc::RunResult& r = rough.result;
     ASSERT_EQ(r.status, "converged") << r.message;
     const auto& balance = r.balance;
-    const double change = mean_difference(r.body.contact_pressure, smooth.result.body.contact_pressure);
+    const double change = mean_difference(ring_means(r.body), ring_means(smooth.result.body));
     fmt::print("tapering soft limb, mu {}: pressure changes by {:.2e} rms, friction {:.4f} of {:.3f} N, {:.0f} % slips, forces balance to "
                "{:.1e}, {:.2f} times the frictionless run's time\n",
                mu, change, balance.friction_force, balance.contact_force, 100.0 * r.numbers.at("slipping_share_of_contact"),
