@@ -28,6 +28,8 @@ Call Nothing;
 Mesh.Algorithm3D = 1;
 )";
 
+const std::string standing = block + "Physical Surface(\"floor\") = Surface In BoundingBox{-1, -1, -1, 41, 41, 1};\n";
+
 /// What is said of a script, without its file; empty: admitted.
 std::string verdict(const std::string& script) {
   try {
@@ -127,19 +129,21 @@ TEST(Contained, NothingIsStartedAndNothingIsWritten) {
   fs::remove(file);
 }
 
+/// A block that stands on its lower face and bears its own weight.
 class Imported : public Attack {
  protected:
   void body(const std::string& name, const std::string& content) const {
     put("c/case.toml",
         "title = \"a block\"\n[body]\nkind = \"imported\"\nmesh = \"body/" + name + "\"\nunit = \"1 mm\"\n"
-        "layers = [ { name = \"tissue\", material = \"relaxed thigh\" } ]\n[load]\ngravity = [\"0 m/s2\", \"0 m/s2\", \"-9.81 m/s2\"]\n");
+        "layers = [ { name = \"tissue\", material = \"relaxed thigh\" } ]\n[load]\ngravity = [\"0 m/s2\", \"0 m/s2\", \"-9.81 m/s2\"]\n"
+        "[[support]]\non = \"floor\"\nx = \"0 mm\"\ny = \"0 mm\"\nz = \"0 mm\"\n");
     put("c/body/" + name, content);
   }
 };
 
 TEST_F(Imported, AScriptOfGeometryIsMeshed) {
   // The same script as above through the program.
-  body("m.geo", block);
+  body("m.geo", standing);
   const Outcome outcome = snug("check c");
   EXPECT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_NE(outcome.text.find("tissue"), std::string::npos);
@@ -159,7 +163,7 @@ TEST_F(Imported, OnlyTheHeaderMakesAMesh) {
 
 TEST_F(Imported, OptionFilesBesideAMeshAreNotRead) {
   // A clean script with an option file that would run a command.
-  body("m.geo", block);
+  body("m.geo", standing);
   for (const std::string option : {"m.geo.opt", "m.opt", ".gmshrc", ".gmsh-options"})
     put("c/body/" + option, "SystemCall \"touch " + (folder_ / "ran").string() + "\";\n");
   EXPECT_EQ(snug("check c").status, 0);
@@ -186,7 +190,7 @@ TEST_F(Imported, GmshsErrorsAreTheInputs) {
 
 TEST_F(Imported, ScriptsMayDoMoreForThoseWhoSaySo) {
   // --allow-scripts: an included file is read.
-  body("m.geo", "Include \"size.txt\";\n" + block);
+  body("m.geo", "Include \"size.txt\";\n" + standing);
   put("c/body/size.txt", "ready = 1;\n");
   EXPECT_EQ(snug("check c").status, 2);
   const Outcome outcome = snug("check c --allow-scripts");
