@@ -1,6 +1,7 @@
 // What a case says about the garment.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct GarmentSpec {
   MaterialReference fabric;
   std::string warp = "along";  ///< along | around the body's axis
   double position = 0.0;       ///< m; height of the lower edge as placed
+  double seam = std::numbers::pi;  ///< rad; where it lies round the limb
   double cell_size = 0.0;      ///< m, on the pattern; 0 = by the skin's cells
   int order = 2;               ///< of the triangles
   std::optional<bool> bending, weight;
@@ -71,6 +73,10 @@ struct GarmentSpec {
         self.warp);
     field(Field{.key = "position", .unit = "m", .meaning = "height of the lower edge as placed", .required = true},
           self.position);
+    field(Field{.key = "seam",
+                .unit = "rad",
+                .meaning = "angle at which the seam lies round the limb: 0 = side (+x), 90 deg = front (+y); left out: 180 deg"},
+          self.seam);
     field(Field{.key = "cell_size",
                 .unit = "m",
                 .meaning = "edge length of the triangles on the pattern; 0 m: 0.6 of the mean cell size of the skin as worn, finer "

@@ -17,8 +17,6 @@ namespace {
 
 using input::InputError;
 
-constexpr double seam_turn = 0.5;  // the inner side
-
 void check(const input::GarmentSpec& spec, const Limb& limb, double cell_size) {
   const auto& pattern = spec.pattern;
   if (pattern.kind != "tube")
@@ -80,25 +78,26 @@ struct Section {
   std::unique_ptr<SectionArc> arc;      ///< of it, else of the skin
 };
 
-Section section(const Limb& limb, double z, double width, double lift) {
+Section section(const Limb& limb, double z, double width, double lift, double seam) {
   Section s;
-  s.arc = std::make_unique<SectionArc>(*limb.skin, z, seam_turn);
+  s.arc = std::make_unique<SectionArc>(*limb.skin, z, seam);
   s.distance = distance(limb, *s.arc, z, width, lift);
   if (s.distance == lift) return s;
   s.parallel = std::make_unique<Parallel>(*limb.skin, s.distance);
-  s.arc = std::make_unique<SectionArc>(*s.parallel, z, seam_turn);
+  s.arc = std::make_unique<SectionArc>(*s.parallel, z, seam);
   return s;
 }
 
 /// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from
 /// outside.
-void place(double position, double width, const Limb& limb, double lift, GarmentMesh& mesh) {
+void place(const input::GarmentSpec& spec, const Limb& limb, double lift, GarmentMesh& mesh) {
+  const double width = spec.pattern.flat_circumference, seam = spec.seam / (2.0 * std::numbers::pi);
   std::map<double, Section> sections;  // the nodes of an edge share a height
   for (std::size_t n = 0; n < mesh.pattern.size(); ++n) {
     const Eigen::Vector2d& x = mesh.pattern[mesh.merged[n]];
-    const double z = position + x.y();
+    const double z = spec.position + x.y();
     auto it = sections.find(z);
-    if (it == sections.end()) it = sections.emplace(z, section(limb, z, width, lift)).first;
+    if (it == sections.end()) it = sections.emplace(z, section(limb, z, width, lift, seam)).first;
     const Section& s = it->second;
     const double turn = s.arc->turn_at(x.x() / width);
     mesh.placed.push_back(limb.skin->at(turn, z) + s.distance * outward_normal(*limb.skin, turn, z));
@@ -144,7 +143,7 @@ GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, 
   mesh.pattern = pattern.nodes;
   mesh.triangles = pattern.triangles;
   mesh.merged = sew(pattern);
-  place(spec.position, width, limb, lift, mesh);
+  place(spec, limb, lift, mesh);
   const Eigen::Vector2d warp = spec.warp == "around" ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
   mesh.warp.assign(mesh.triangles.size(), warp);
   for (const char* edge : {"lower", "upper"}) mesh.edges[edge] = representatives(pattern.sides.at(edge), mesh.merged);

@@ -121,14 +121,17 @@ Stationary kind_at_end(Scene& scene, const State& state, Stationary known) {
 // garment, whose slack parts have no stiffness of their own).
 constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 
-// Far from the solution for long: eight iterations without a residual a fifth lower than the best one before. Iterations that
+// Far from the solution for long: eight iterations without a residual a fifth lower than the best one before; sixteen where
+// it was near and is so no more. Iterations that
 // `stride` down an energy do not count, for the residual may well rise on the way: a sheet that wrinkles takes twenty so.
 class Patience {
  public:
-  bool lost(double residual, bool stride) {
+  bool lost(const Check& now, int iteration, bool stride) {
+    if (iteration == 0 || !now.in_place) return false;  // what the load or a support will ask for is not in the balance yet
+    const double residual = now.residual;
     if (residual < 0.8 * best_) best_ = residual, waited_ = 0;
     if (!stride) ++waited_;
-    return waited_ > 8 && best_ > 1e-3;
+    return waited_ > (best_ > near ? 8 : 16) && std::max(best_, residual) > near;
   }
 
  private:
@@ -171,7 +174,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   const bool bends = scene.find<Tissue>() || scene.find<Shell>() || scene.find<FabricBending>();
   const bool downhill = !bends && scene.saddle_rows() == 0;
   const bool damped = !downhill && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
-  for (int iteration = 0; iteration <= settings.iterations; ++iteration) {
+  for (int iteration = 0;; ++iteration) {
     Check now = check(scene, state, settings);
     if (!cut && now.residual < near && now.measure.changed == 0) {
       cut = true;
@@ -187,8 +190,9 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
     if (settings.stop && settings.stop()) return Outcome::stopped;
-    if (patience.lost(now.residual, downhill && row.step >= long_stride)) return Outcome::no_progress;
-    if (iteration == settings.iterations) break;
+    if (patience.lost(now, iteration, downhill && row.step >= long_stride)) return Outcome::no_progress;
+    const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
+    if (iteration >= most) return Outcome::too_many_iterations;
     const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
     const double reduction = now.condensed / condensed_before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
@@ -215,7 +219,6 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     const bool moved = downhill && in_place ? descend(scene, state, step, now.round_off, row.step) : move(scene, state, step, row.step);
     if (!moved) return Outcome::inadmissible;
   }
-  return Outcome::too_many_iterations;
 }
 
 }  // namespace snug::solver

@@ -24,6 +24,11 @@ namespace {
 /// Contact pressure over the softest (stiffened) shear modulus where a release step by step starts: small strains.
 constexpr double gentle_release = 0.3;
 
+/// Iterations of increments that failed, over a whole run: a failing scene costs at most five times a good one.
+constexpr int most_lost = 50;
+/// The same of a stage that another way stands in for where it fails.
+constexpr int most_lost_before_another_way = 20;
+
 /// No coefficient of friction of cloth on skin is as large.
 constexpr double no_friction = 10.0;
 
@@ -100,7 +105,7 @@ class Run {
     path.newton.may_lag = skin == Skin::deformable;
     if (has_friction(worn_)) path.newton.residual = 1e-10;  // it converges linearly: the last step overshoots less than elsewhere
     path.minimum = case_.garment.has_value();
-    path.lost_iterations = 60;  // at most five times what a good scene takes
+    path.lost_iterations = std::max(0, most_lost - lost_);
     path.newton.penetration = 1e-6 * meshes_.garment.mean_edge;
     if (kept_.steps > 0) {
       path.longest_step = 1.0 / kept_.steps;
@@ -116,6 +121,19 @@ class Run {
     return path;
   }
 
+  /// Of a stage along which nothing changes: half of it is no easier.
+  static PathSettings in_one_step(PathSettings path) {
+    path.failures = 0;
+    return path;
+  }
+
+  /// Of a stage that another way stands in for.
+  static PathSettings with_another_way(PathSettings path) {
+    path.failures = std::min(path.failures, 2);
+    path.lost_iterations = std::min(path.lost_iterations, most_lost_before_another_way);
+    return path;
+  }
+
   /// Hands a state of the load path to who wants to see it.
   void keep(const Scene& scene, const State& state, double way) const {
     if (kept_.steps == 0) return;
@@ -126,6 +144,7 @@ class Run {
   }
 
   bool accept(Scene& scene, const PathResult& path, const std::string& name) {
+    lost_ += path.lost;
     log_.end_path(scene, path.increments, name);
     result_.status = path.complete ? "converged" : log_.increments() > 0 ? "partial" : "failed";
     const double fraction = path.state.load < 1.0 ? path.state.load : path.reached;
@@ -158,7 +177,8 @@ class Run {
     log_.phase("set-up");
     State state = placed_state(rigid.layout(), meshes_.body, meshes_.garment);
     keep(rigid, state, 0.0);
-    const auto path = follow_path(rigid, state, tightening(), settings(Skin::rigid), log_.sink("rigid skin"));
+    const auto path = follow_path(rigid, state, tightening(), slides_freely(case_) ? settings(Skin::rigid) : with_another_way(settings(Skin::rigid)),
+                                  log_.sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
     rigid.drop_matrix();  // the body needs the memory
     if (!complete && !slides_freely(case_)) return limit_of_small_friction();
@@ -237,7 +257,7 @@ class Run {
     PathResult path{.state = faint.state};
     path.state.reference.resize(0), path.state.traction.resize(0), path.state.release = 1.0;
     if (accept(scene, faint, "fading friction"))
-      path = follow_path(smooth, path.state, tightening(1.0, 1.0), settings(skin), log_.sink("without friction"));
+      path = follow_path(smooth, path.state, tightening(1.0, 1.0), in_one_step(settings(skin)), log_.sink("without friction"));
     if (path.complete && accept(smooth, path, "without friction")) {
       fill_result(smooth, path.state, meshes_.body, meshes_.garment, result_);
     } else {
@@ -284,7 +304,7 @@ class Run {
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
     const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
     PathSettings path = settings(Skin::deformable);
-    path.lost_iterations = 50;  // there is another way
+    if (!slides_freely(case_)) path = with_another_way(path);
     const PathResult released = release(scene, start, give, path);
     if (!accept(scene, released, "body") && !slides_freely(case_)) return limit_of_small_friction();
     finish_on_body(scene, released, rigid, on_rigid);
@@ -297,6 +317,8 @@ class Run {
       at_once.failures = 0;
       const PathResult released = follow_path(scene, start, releasing(1.0), at_once, log_.sink("body"));
       if (released.complete) return released;
+      lost_ += released.lost;
+      path.first_step = 0.5;  // the whole step fails from a stiffer body, too
     }
     return follow_path(scene, start, releasing(std::max(10.0, 1.0 / (gentle_release * give))), path, log_.sink("body, step by step"));
   }
@@ -362,6 +384,7 @@ class Run {
   const KeptStates& kept_;
   const Stop& stop_;
   int stages_ = 0;
+  int lost_ = 0;     ///< iterations of increments that failed so far
   postproc::RunResult result_;
   RunLog log_;
 };

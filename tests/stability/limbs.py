@@ -21,12 +21,14 @@ def skin(shear_modulus, thickness=0.0015):
 
 
 def sleeve_scene(name, group, stresses, *, limb, girths, flat, position, length, k1=125.0, fabric=None, tension=None, held=(),
-                 how="axis", friction=None, cell=0.0, laplace=True, **more):
+                 how="axis", friction=None, cell=0.0, laplace=True, seam=None, **more):
     garment = {"pattern": tube_pattern(flat, length), "fabric": fabric or spring_fabric(k1), "position": m(position)}
     if held:
         garment["held"] = hems(*held, how=how)
     if cell:
         garment["cell_size"] = m(cell)
+    if seam is not None:
+        garment["seam"] = f"{seam!r} deg"
     case = {"body": limb, "garment": garment, "contact": {} if friction is None else {"friction": friction}}
     estimate = Sleeve(tension or spring_tension(k1), flat, position, position + length) if laplace else None
     files = {"limb.csv": girths} if girths else {}

@@ -25,13 +25,14 @@ def turned(degrees):
     return lambda x: (c * x[0] - s * x[1], s * x[0] + c * x[1], x[2])
 
 
-# The eccentric limb: a cone whose bone lies aside, so that it gives way more on one side.
+# The eccentric limb: a cone whose bone lies aside, so that it gives way more on one side. The seam, where the cloth's mesh begins,
+# goes along: (what it stresses, the move, is it a mirror, the seam's angle).
 MOVES = {
-    "turned by 37 degrees": ("turned by 37 degrees, no multiple of a cell's", turned(37.0), False),
-    "turned by 30 degrees": ("turned by a cell's angle", turned(30.0), False),
-    "mirrored across": ("mirrored: x to -x", lambda x: (-x[0], x[1], x[2]), True),
-    "mirrored front to back": ("mirrored: y to -y", lambda x: (x[0], -x[1], x[2]), True),
-    "shifted": ("shifted by 3.7 m", lambda x: (x[0] + 3.0, x[1] - 2.0, x[2] + 1.0), False),
+    "turned by 37 degrees": ("turned by 37 degrees, no multiple of a cell's", turned(37.0), False, 217.0),
+    "turned by 30 degrees": ("turned by a cell's angle", turned(30.0), False, 210.0),
+    "mirrored across": ("mirrored: x to -x", lambda x: (-x[0], x[1], x[2]), True, 0.0),
+    "mirrored front to back": ("mirrored: y to -y", lambda x: (x[0], -x[1], x[2]), True, 180.0),
+    "shifted": ("shifted by 3.7 m", lambda x: (x[0] + 3.0, x[1] - 2.0, x[2] + 1.0), False, 180.0),
 }
 
 
@@ -55,9 +56,10 @@ def moved():
 
     yield with_ends(sleeve("mesh", "imported hexahedra, eccentric bone, upper hem held", eccentric_mesh(), group="ordinary"))
     yield pressed("mesh under pressure", "imported hexahedra, skin pressure of half the shear modulus", eccentric_mesh(), group="ordinary")
-    for name, (stresses, move, mirrored) in MOVES.items():
+    for name, (stresses, move, mirrored, seam) in MOVES.items():
         mesh = eccentric_mesh(move, mirrored)
-        yield with_ends(sleeve(f"mesh {name}", stresses, mesh, position=1.01 if name == "shifted" else 0.01, same_as="mesh"))
+        yield with_ends(sleeve(f"mesh {name}", stresses, mesh, position=1.01 if name == "shifted" else 0.01, seam=seam,
+                               same_as="mesh"))
         if name != "turned by 30 degrees":
             yield pressed(f"pressure {name}", f"body alone, {stresses}", mesh, same_as="mesh under pressure")
 

@@ -54,7 +54,16 @@ def spring_fabric(k1, shear=0.3, **more):
 
 
 def spring_tension(k1):
-    return lambda l: k1 * (l - 1)
+    """Nominal tension by stretch l: k1 (l - 1) up to where the slope of the second Piola-Kirchhoff stress over Green's strain,
+    k1 / l^3, is a twentieth of k1; from there that stress goes on straight (TensionCurve, materials/fabric)."""
+    cut = 20.0 ** (1.0 / 3.0)
+
+    def tension(stretch):
+        if stretch <= cut:
+            return k1 * (stretch - 1.0)
+        return stretch * k1 * ((cut - 1.0) / cut + 0.05 * (stretch**2 - cut**2) / 2.0)
+
+    return tension
 
 
 def linear_fabric(warp, weft, shear=None, **more):

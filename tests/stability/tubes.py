@@ -28,6 +28,7 @@ class Tube:
     load: float = 0.0            # Pa on the skin instead of a sleeve
     tolerance: float = 1e-3      # on a mesh of 12 cells round
     warp: str = "along"
+    right: str = "converged"
 
     def fabric_and_tension(self):
         return (self.fabric, self.tension) if self.fabric else (spring_fabric(200.0), spring_tension(200.0))
@@ -130,12 +131,17 @@ ROWS = [
     ("foil", "fabric", "foil of 100 kN/m, 0.2 % undersize: strain 0.07 %", {"rest": 0.0499, **springs(1e5), "tolerance": 0.25}, False),
     ("foil, fine mesh", "fabric", "the same, 24 cells round, cloth of a fifth of a cell",
      {"rest": 0.0499, **springs(1e5), "around": 24, "along": 3, "cloth": 0.2, "tolerance": 1e-2}, False),
-    ("undersize 2 %", "undersize", "2 % undersize", {"rest": 0.049}, False),
+    # Strain 1.6 %: by the same account 1.5e-2, and 1e-3 on cells of a quarter of the angle.
+    ("undersize 2 %", "undersize", "2 % undersize", {"rest": 0.049, "tolerance": 1.5e-2}, False),
+    ("undersize 2 %, fine mesh", "undersize", "the same, 24 cells round", {"rest": 0.049, "around": 24, "along": 3}, False),
     ("undersize 40 %", "undersize", "40 % undersize", {"rest": 0.030}, True),
     ("undersize 60 %", "undersize", "60 % undersize", {"rest": 0.020}, False),
-    ("undersize 70 %", "undersize", "70 % undersize", {"rest": 0.015}, False),
-    ("undersize 70 % Green", "undersize", "70 % undersize, law in Green strain: p = 7 mu",
-     {"layers": soft(5e3), "rest": 0.015, "fabric": linear_fabric(125.0, 125.0), "tension": linear_tension(125.0)}, False),
+    # Cloth of tension T that slides freely gathers where what it presses in by being denser, T^2 / (2 G k r) with surface waves of
+    # k = 1 / thickness in the tissue, outdoes what its stiffness along holds, k1 R0: here the ratio is 2 (at 60 % it is 0.7).
+    ("undersize 70 %", "undersize", "70 % undersize, default friction", {"rest": 0.015, "friction": None}, False),
+    ("undersize 70 % Green", "undersize", "70 % undersize, law in Green strain: p = 7 mu, default friction",
+     {"layers": soft(5e3), "rest": 0.015, "fabric": linear_fabric(125.0, 125.0), "tension": linear_tension(125.0), "friction": None}, False),
+    ("undersize 70 %, frictionless", "undersize", "70 % undersize without friction: gathers", {"rest": 0.015, "right": "slides"}, False),
     ("zero prestress", "undersize", "sleeve of just the limb's girth", {"rest": 0.050}, True),
     ("tube friction 0.01", "friction", "friction 0.01, no hem held", {"friction": 0.01, "held": ()}, False),
     ("tube friction left out", "friction", "default friction, no hem held", {"friction": None, "held": ()}, True),
@@ -143,8 +149,8 @@ ROWS = [
     ("tube friction 2, hems held", "friction", "friction 2, both hems held", {"friction": 2}, False),
     ("warp 1000 weft", "anisotropy", "fabric 1000 times stiffer along than round",
      {"fabric": linear_fabric(1.5e5, 150.0), "tension": linear_tension(150.0)}, False),
-    ("weft 1000 warp", "anisotropy", "fabric 1000 times stiffer round than along: free to gather",
-     {"fabric": linear_fabric(0.15, 150.0), "tension": linear_tension(150.0)}, False),
+    ("weft 1000 warp", "anisotropy", "fabric 1000 times stiffer round than along: gathers, the ratio above is 12",
+     {"fabric": linear_fabric(0.15, 150.0), "tension": linear_tension(150.0), "right": "slides"}, False),
     ("weft 1000 warp, friction", "anisotropy", "the same with default friction, no hem held: nothing gathers",
      {"fabric": linear_fabric(0.15, 150.0), "tension": linear_tension(150.0), "friction": None, "held": ()}, False),
     ("shear nearly 0", "anisotropy", "shear stiffness a millionth of the tensile", springs(200.0, 1e-6), False),
@@ -178,4 +184,5 @@ def base_of(name, tube):
 def scenes():
     for name, group, stresses, changes, quick in ROWS:
         tube = replace(Tube(), **changes)
-        yield Scene(name, group, stresses, tube.case(), tube.files(), base=base_of(name, tube), exact=tube.exact(), quick=quick)
+        yield Scene(name, group, stresses, tube.case(), tube.files(), base=base_of(name, tube),
+                    exact=tube.exact() if tube.right == "converged" else None, right=tube.right, quick=quick)

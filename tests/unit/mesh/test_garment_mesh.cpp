@@ -160,4 +160,21 @@ TEST(GarmentMesh, AGarmentThatDoesNotFitIsRefused) {
 }
 
 }  // namespace
+/// The seam lies at the angle that the case gives, and the whole mesh goes with it.
+TEST(GarmentMesh, TheSeamLiesWhereTheCaseSays) {
+  input::GarmentSpec spec = tube_spec();
+  const GarmentMesh inner = make_garment_mesh(spec, cylinder(), cell);
+  spec.seam = 0.3;
+  const GarmentMesh side = make_garment_mesh(spec, cylinder(), cell);
+  const Eigen::AngleAxisd turn(0.3 - std::numbers::pi, Eigen::Vector3d::UnitZ());
+  int on_seam = 0;
+  for (std::size_t n = 0; n < side.placed.size(); ++n) {
+    EXPECT_LT((side.placed[n] - turn * inner.placed[n]).norm(), 1e-12) << n;
+    if (side.pattern[n].x() != 0.0) continue;
+    EXPECT_NEAR(std::atan2(side.placed[n].y(), side.placed[n].x()), 0.3, 1e-12);
+    ++on_seam;
+  }
+  EXPECT_GT(on_seam, 3);
+}
+
 }  // namespace snug::mesh
