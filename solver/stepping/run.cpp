@@ -24,10 +24,10 @@ namespace {
 /// Contact pressure over the softest (stiffened) shear modulus where a release step by step starts: small strains.
 constexpr double gentle_release = 0.3;
 
-/// Iterations of increments that failed, over a whole run: a failing scene costs at most five times a good one.
-constexpr int most_lost = 50;
+/// Iterations of increments that failed, over a whole run: some five times what a good scene takes in all.
+constexpr int most_lost = 60;
 /// The same of a stage that another way stands in for where it fails.
-constexpr int most_lost_before_another_way = 20;
+constexpr int most_lost_before_another_way = 30;
 
 /// No coefficient of friction of cloth on skin is as large.
 constexpr double no_friction = 10.0;
