@@ -159,7 +159,6 @@ TEST(GarmentMesh, AGarmentThatDoesNotFitIsRefused) {
   EXPECT_NO_THROW(make_garment_mesh(tube_spec(0.28, 0.2, 0.0), cylinder(), cell));
 }
 
-}  // namespace
 /// The seam lies at the angle that the case gives, and the whole mesh goes with it.
 TEST(GarmentMesh, TheSeamLiesWhereTheCaseSays) {
   input::GarmentSpec spec = tube_spec();
@@ -177,4 +176,5 @@ TEST(GarmentMesh, TheSeamLiesWhereTheCaseSays) {
   EXPECT_GT(on_seam, 3);
 }
 
+}  // namespace
 }  // namespace snug::mesh
