@@ -36,26 +36,34 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
   return false;
 }
 
-// Along a step that leads downhill, how far to go: where no multiplier makes a saddle of the balance, the residual is the
-// slope of an energy, and a step may end where that slope has turned upwards by at most half of what it was at the start
-// (unless that was `round_off`, N, of the balance). A membrane without tension has no stiffness across itself, so that its
-// first steps are far too long. Not for what bends: the strip of the heavy elastica turns far in whole steps, which first go
-// uphill, and hardly in cut ones. False: nothing but inadmissible states.
+// Along a step that leads downhill, how far the positions go; pressures and multipliers take their whole step. With those as
+// they will be, the forces along the step are the slope of an energy (Luenberger & Ye, Linear and Nonlinear Programming,
+// ch. 15), and a step may end where that slope has turned upwards by at most half of what it was at the start (unless that was
+// `round_off`, N, of the balance). A membrane without tension has no stiffness across itself, and one that is much stiffer in
+// shear than in tension wrinkles and unfolds at every iterate, so that whole steps are far too long. Not for what bends: the
+// strip of the heavy elastica turns far in whole steps, which first go uphill, and hardly in cut ones. False: nothing but
+// inadmissible states.
 bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double round_off, double& fraction) {
   const State start = state;
-  const double slope = scene.slope(step);
-  const bool downhill = slope < -round_off * step.norm();
+  const Eigen::Index dual = step.size() - scene.layout().pressure(0);
+  Eigen::VectorXd positions = step;
+  positions.tail(dual).setZero();
+  state.values.tail(dual) += step.tail(dual);
+  const State ahead = state;
+  if (scene.saddle_rows() > 0) scene.assemble(ahead, Tangent::none);
+  const double slope = scene.slope(positions);
+  const bool downhill = slope < -round_off * positions.norm();
   bool admissible = false, there = false;
   for (int cut = 0; cut < 20 && !there; ++cut) {
     const Tangent tangent = cut == 0 ? Tangent::full : Tangent::none;  // the whole step is good most times
-    state.values = start.values + fraction * step;
+    state.values = ahead.values + fraction * positions;
     scene.update(state);
     admissible = scene.assemble(state, tangent);
     if (!admissible) {
       fraction *= 0.5;
       continue;
     }
-    const double end = scene.slope(step);
+    const double end = scene.slope(positions);
     there = !downhill || end <= -0.5 * slope;
     if (there && cut == 0) return true;
     if (!there) fraction *= std::clamp(-slope / (end - slope), 0.2, 0.7);
@@ -172,8 +180,9 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   Stationary known = Stationary::unknown;
   bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
   const bool bends = scene.find<Tissue>() || scene.find<Shell>() || scene.find<FabricBending>();
-  const bool downhill = !bends && scene.saddle_rows() == 0;
-  const bool damped = !downhill && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
+  const bool downhill = !bends;
+  const bool contact = scene.saddle_rows() > 0;
+  const bool damped = (bends || contact) && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
   for (int iteration = 0;; ++iteration) {
     Check now = check(scene, state, settings);
     if (!cut && now.residual < near && now.measure.changed == 0) {
@@ -190,7 +199,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
     if (settings.stop && settings.stop()) return Outcome::stopped;
-    if (patience.lost(now, iteration, downhill && row.step >= long_stride)) return Outcome::no_progress;
+    if (patience.lost(now, iteration, downhill && !contact && row.step >= long_stride)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
     if (iteration >= most) return Outcome::too_many_iterations;
     const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
