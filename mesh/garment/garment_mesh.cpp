@@ -105,13 +105,14 @@ void place(const input::GarmentSpec& spec, const Limb& limb, double lift, Garmen
   }
 }
 
-/// How far the limb stretches the garment round it, in the mean over the cover; at least 1.
+/// How far the limb stretches the garment round it, in the mean over the cover; at least 1. To a thousandth, so that what
+/// round-off makes of the same limb elsewhere does not give it another mesh.
 double mean_stretch(const input::GarmentSpec& spec, const Limb& limb) {
   constexpr int samples = 16;
   double sum = 0.0;
   for (int i = 0; i < samples; ++i)
     sum += std::max(1.0, limb.girth(spec.position + (i + 0.5) / samples * spec.pattern.length) / spec.pattern.flat_circumference);
-  return sum / samples;
+  return std::round(1e3 * sum / samples) / 1e3;
 }
 
 /// Triangles that are even as worn: meshed at the width that the limb stretches them to, then brought back.
