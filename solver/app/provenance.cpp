@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
+#include "solver/app/hash.hpp"
 #include "solver/app/launch.hpp"
 
 namespace snug::app {
@@ -15,18 +15,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// FNV-1a, 64 bits: tells whether a file is the same, not who wrote it.
 std::string hash_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (std::istreambuf_iterator<char> byte(file), end; byte != end; ++byte)
-    hash = (hash ^ static_cast<unsigned char>(*byte)) * 1099511628211ULL;
+  std::uint64_t hash = fnv1a({});
+  std::string block(1 << 16, '\0');
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0)
+    hash = fnv1a({block.data(), static_cast<std::size_t>(file.gcount())}, hash);
   return fmt::format("fnv1a64:{:016x}", hash);
 }
 
 std::vector<fs::path> input_files(const input::Case& description) {
   std::vector<fs::path> files = {description.directory / "case.toml"};
   if (description.body && !description.body->stations.empty()) files.push_back(description.body->stations);
+  if (description.body && !description.body->mesh.empty()) files.push_back(description.body->mesh);
   if (description.body && description.body->scan) files.push_back(description.body->scan->surface);
   if (const auto& reference = description.reference) {
     if (reference->displacement) files.push_back(reference->displacement->file);

@@ -13,6 +13,7 @@
 #include "cases/input/files.hpp"
 #include "postproc/recorders.hpp"
 #include "solver/algebra/communicator.hpp"
+#include "solver/app/checkpoint.hpp"
 #include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/final_table.hpp"
@@ -100,16 +101,22 @@ class Run : public Command {
                    "keep the states of the load path, each stage in so many steps at least, for "
                    "`snug animate` (the path is then walked instead of jumped: slower)")
         ->check(CLI::Range(1, 1000));
+    app.add_flag("--resume", resume_, "go on from where a run was stopped or killed, by the checkpoint out.checkpoint beside its results");
+    app.add_option("--checkpoint", interval_, "seconds between checkpoints, and before the first, so that short runs write none (60)")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 1e9));
     app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
     app.add_option("--rank-status", status_file_)->group("");  // of the launcher of ranks
     app.footer("Ctrl-C, SIGTERM: the running step is given up, what converged is written as partial, exit status 130 or 143; a second one\n"
-               "ends at once and leaves the earlier results.");
+               "ends at once and leaves the earlier results. A run of over a minute can be gone on from with --resume; its answer is the same.");
   }
 
   int execute() override {
     if (!out_.empty() && directories_.size() > 1)
       throw input::InputError({"--out", 0, 0}, "one place is given for several cases",
                               "run them one by one, or leave --out out");
+    if (resume_ && states_ > 0)
+      throw input::InputError({"--resume", 0, 0}, "--states keeps the states of the whole path", "run from the beginning, or leave --states out");
     cleaner_.emplace();
     if (launched_ranks() > 1) return run_as_rank();
     if (ranks_ > 1) {
@@ -197,7 +204,11 @@ class Run : public Command {
     say(plan_text(prepared.description.title, plan) + "\n");
     StateFiles states;
     gave_up_ = false;
-    postproc::RunResult run = solve(prepared, states, out);
+    Checkpoint checkpoint(target, interval_);
+    solver::Journal journal = recall(checkpoint, prepared);
+    if (writes_ && states_ == 0)
+      journal.on_change([&](const solver::Journal& now) { checkpoint.keep(now, prepared, out.aside()); });
+    postproc::RunResult run = solve(prepared, states, out, states_ == 0 ? &journal : nullptr);
     if (!writes_) return run.status == "converged" ? done : not_converged;
     const bool nothing = run.status == "failed" && (!gave_up_ || run.increments == 0);
     if (run.status != "converged" && gave_up_) {
@@ -213,9 +224,20 @@ class Run : public Command {
     const int regression = nothing ? done : regress(references, out);
     if (!no_report_) report(out);
     out.commit();
+    if (!gave_up_) checkpoint.remove();
     say(final_text(run, evaluation, out.target()) + verdict_);
+    if (gave_up_ && checkpoint.there()) say(fmt::format("  to go on            snug run {} --resume\n", directory.string()));
     const int status = std::max(status_of(run, directory), regression);
     return run.status != "converged" && gave_up_ ? 128 + signal() : status;
+  }
+
+  /// What an earlier run has reached, if it is to be gone on from.
+  solver::Journal recall(const Checkpoint& checkpoint, const PreparedCase& prepared) const {
+    if (resume_ && checkpoint.there()) return checkpoint.read(prepared);
+    if (resume_) say(fmt::format("there is no {}: from the beginning\n", checkpoint.file().string()));
+    if (!resume_ && checkpoint.there())
+      say(fmt::format("{} is of a run that has not ended; --resume would go on from there, this run begins anew\n", checkpoint.file().string()));
+    return {};
   }
 
   /// What cannot be written is said before the solve, not after it.
@@ -252,14 +274,14 @@ class Run : public Command {
     }
   }
 
-  postproc::RunResult solve(const PreparedCase& prepared, StateFiles& states, OutputDirectory& out) {
+  postproc::RunResult solve(const PreparedCase& prepared, StateFiles& states, OutputDirectory& out, solver::Journal* journal) {
     ProgressLine line(quiet_);
     const solver::KeptStates kept{states_, [&](double way, const postproc::RunResult& state) {
                                     if (writes_) states.write(way, state, out.aside());
                                   }};
     postproc::RunResult run = solver::solve(
         prepared.description, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept,
-        [this] { return gave_up_ = gave_up_ || stopped(); });
+        [this] { return gave_up_ = gave_up_ || stopped(); }, journal);
     run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
     return run;
   }
@@ -275,7 +297,8 @@ class Run : public Command {
   CaseOptions options_;
   std::string out_, status_file_;
   int ranks_ = 1, states_ = 0;
-  bool quiet_ = false, pictures_ = false, no_report_ = false;
+  double interval_ = 60.0;
+  bool quiet_ = false, pictures_ = false, no_report_ = false, resume_ = false;
   bool writes_ = true;   ///< rank 0
   bool gave_up_ = false;  ///< the solution, because the user asked for it
   std::string verdict_;  ///< of the last comparison

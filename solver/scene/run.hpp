@@ -74,9 +74,12 @@ struct KeptStates {
 /// result, with the status "partial".
 using Stop = std::function<bool()>;
 
+class Journal;
+
 /// Solves the scene of the case. Never throws for lack of convergence: the last converged state comes back with its status.
+/// With a journal (solver/stepping/journal.hpp) it goes on from what is recorded there and records more.
 /// Throws input::InputError when the scene cannot have an equilibrium or names parts that do not fit together.
 postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer = {},
-                          const KeptStates& kept = {}, const Stop& stop = {});
+                          const KeptStates& kept = {}, const Stop& stop = {}, Journal* journal = nullptr);
 
 }  // namespace snug::solver

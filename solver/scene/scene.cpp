@@ -90,6 +90,21 @@ void Scene::rebuild() {
 void Scene::renew(const State& state) {
   const Stopwatch watch(costs_.search);
   for (const auto& term : terms_) term->renew(state);
+  cut_ = state.values;
+}
+
+SceneMemory Scene::memory() const {
+  const Contact* contact = find<Contact>();
+  return contact ? SceneMemory{contact->active(), contact->coupled(), cut_} : SceneMemory{};
+}
+
+void Scene::recall(const SceneMemory& memory, const State& state) {
+  if (Contact* contact = find<Contact>()) contact->recall(memory.active, memory.coupled);
+  built_ = false;
+  State at = state;
+  if (memory.cut.size() == state.values.size()) at.values = memory.cut;
+  renew(at);
+  update(state);
 }
 
 void Scene::drop_matrix() {

@@ -16,6 +16,15 @@
 
 namespace snug::solver {
 
+/// What a scene remembers beside its state: the active set of contact, one flag a vertex, the facets that each triangle couples
+/// (they make the pattern of the matrix, and so the last bits of its solutions), and the values at which the quadrature was cut.
+/// Empty without contact.
+struct SceneMemory {
+  std::vector<char> active = {};
+  std::vector<std::vector<int>> coupled = {};
+  Eigen::VectorXd cut = {};
+};
+
 /// Terms, numbering and the matrix they share. Use `make_scene`.
 class Scene {
  public:
@@ -39,6 +48,9 @@ class Scene {
   /// Terms write their history into an accepted state; `begin` gives a history to a state that has none.
   void commit(State& state) const;
   void begin(State& state) const;
+  SceneMemory memory() const;
+  /// The scene as it was when it looked at the state last and had this memory.
+  void recall(const SceneMemory& memory, const State& state);
   /// Lets every term look at the state; the sparsity pattern follows when one asks for it.
   void update(const State& state);
   /// Residual and tangent of all terms into the matrix. False: inadmissible state.
@@ -90,6 +102,7 @@ class Scene {
   Eigen::VectorXd proximal_weights_;
   std::vector<char> force_row_;  ///< one an unknown: a force balance (and no gap)
   Costs costs_;
+  Eigen::VectorXd cut_;              ///< values at the last `renew`
   bool built_ = false;
 };
 

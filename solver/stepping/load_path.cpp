@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+
+#include "solver/stepping/journal.hpp"
 
 namespace snug::solver {
 
@@ -22,13 +26,116 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
 }
 
 // Straight extrapolation of the last increment; pressures stay non-negative.
-State predict(const PathResult& last, const State& before, double span, double step, const Layout& layout) {
-  State guess = last.state;
-  if (span <= 0.0) return guess;
-  guess.values += std::min(step / span, 2.0) * (last.state.values - before.values);
+State predict(const PathRecord& at, double step, const Layout& layout) {
+  State guess = at.state;
+  if (at.span <= 0.0) return guess;
+  guess.values += std::min(step / at.span, 2.0) * (at.state.values - at.before.values);
   guess.values.tail(layout.multipliers) = guess.values.tail(layout.multipliers).cwiseMax(0.0);
   return guess;
 }
+
+/// One walk along a path: what has been reached is in the record, which a journal keeps.
+class Walk {
+ public:
+  Walk(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& settings, const IterationSink& sink)
+      : scene_(scene), homotopy_(homotopy), settings_(settings), sink_(sink) {
+    if (settings.journal)
+      if (std::optional<PathRecord> known = settings.journal->begin()) {
+        recall(std::move(*known));
+        return;
+      }
+    scene.begin(start);
+    at_.state = start, at_.before = std::move(start);
+    at_.step = std::min(settings.first_step, settings.longest_step);
+  }
+
+  PathResult follow() {
+    while (!at_.ended) {
+      const double t = std::min(1.0, at_.reached + at_.step);
+      State trial = failures_ == 0 ? predict(at_, t - at_.reached, scene_.layout()) : at_.state;
+      homotopy_(trial, t);
+      const Outcome outcome = increment(trial, t);
+      if (outcome == Outcome::stopped) return stop();
+      outcome == Outcome::converged ? accept(std::move(trial), t) : fail(outcome);
+      if (settings_.journal && (at_.ended || outcome == Outcome::converged)) note();
+    }
+    return result();
+  }
+
+ private:
+  void recall(PathRecord known) {
+    at_ = std::move(known);
+    for (const postproc::Iteration& row : at_.rows) sink_(row);
+    scene_.recall(at_.memory, at_.state);
+  }
+
+  void note() {
+    at_.memory = scene_.memory();
+    settings_.journal->note(at_);
+  }
+
+  Outcome increment(State& trial, double t) {
+    const bool last = t > 1.0 - 1e-12 && !settings_.leads_on;
+    iterations_ = 0;
+    return newton(scene_, trial, increment_settings(settings_, last, failures_), [&](postproc::Iteration row) {
+      iterations_ = row.iteration;
+      row.increment = at_.increments + 1;
+      row.attempt = failures_ + 1;
+      if (settings_.journal) at_.rows.push_back(row);
+      sink_(row);
+    });
+  }
+
+  void accept(State trial, double t) {
+    scene_.commit(trial);
+    at_.before = std::exchange(at_.state, std::move(trial));
+    at_.span = t - at_.reached;
+    at_.reached = t;
+    ++at_.increments;
+    failures_ = 0;
+    if (settings_.accepted) settings_.accepted(scene_, at_.state, t);
+    at_.step = std::min(1.5 * at_.step, settings_.longest_step);
+    if (t + 1.3 * at_.step > 1.0) at_.step = 1.0 - t;
+    if (at_.reached < 1.0) return;
+    at_.ended = at_.complete = true;
+    at_.message.clear();
+  }
+
+  void fail(Outcome outcome) {
+    at_.message = to_string(outcome);
+    at_.lost += iterations_;
+    if (++failures_ > settings_.failures || at_.step < settings_.smallest_step || at_.lost > settings_.lost_iterations) {
+      at_.ended = true;
+      look_back();
+    } else {
+      at_.step *= 0.5;
+    }
+  }
+
+  PathResult stop() {
+    at_.message = to_string(Outcome::stopped);
+    at_.lost += iterations_;
+    if (settings_.journal) settings_.journal->stop();
+    look_back();
+    return result();
+  }
+
+  /// Terms look at the state that is returned, not at the failed one.
+  void look_back() {
+    scene_.renew(at_.state);
+    scene_.update(at_.state);
+  }
+
+  PathResult result() const { return {at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.message}; }
+
+  Scene& scene_;
+  const Homotopy& homotopy_;
+  const PathSettings& settings_;
+  const IterationSink& sink_;
+  PathRecord at_;
+  int failures_ = 0;    ///< in a row
+  int iterations_ = 0;  ///< of the last attempt
+};
 
 }  // namespace
 
@@ -48,53 +155,9 @@ Homotopy fading() {
   return [](State& state, double t) { state.release = std::pow(100.0, t); };
 }
 
-PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& path,
+PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& settings,
                        const IterationSink& sink) {
-  PathResult result;
-  scene.begin(start);
-  result.state = start;
-  State before = start;
-  double step = std::min(path.first_step, path.longest_step), span = 0.0;
-  int failures = 0;
-  while (result.reached < 1.0) {
-    const double t = std::min(1.0, result.reached + step);
-    const bool last = t > 1.0 - 1e-12 && !path.leads_on;
-    State trial = failures == 0 ? predict(result, before, span, t - result.reached, scene.layout()) : result.state;
-    homotopy(trial, t);
-    const int increment = result.increments + 1;
-    int iterations = 0;
-    const Outcome outcome =
-        newton(scene, trial, increment_settings(path, last, failures), [&](postproc::Iteration row) {
-          row.increment = increment;
-          iterations = row.iteration;
-          row.attempt = failures + 1;
-          sink(row);
-        });
-    if (outcome == Outcome::converged) {
-      before = result.state;
-      span = t - result.reached;
-      scene.commit(trial);
-      result.state = trial;
-      result.reached = t;
-      result.increments = increment;
-      failures = 0;
-      if (path.accepted) path.accepted(scene, result.state, t);
-      step = std::min(1.5 * step, path.longest_step);
-      if (t + 1.3 * step > 1.0) step = 1.0 - t;
-    } else {
-      result.message = to_string(outcome);
-      result.lost += iterations;
-      if (outcome == Outcome::stopped || ++failures > path.failures || step < path.smallest_step || result.lost > path.lost_iterations) {
-        scene.renew(result.state);  // terms look at the state that is returned, not at the failed one
-        scene.update(result.state);
-        return result;
-      }
-      step *= 0.5;
-    }
-  }
-  result.complete = true;
-  result.message.clear();
-  return result;
+  return Walk(scene, std::move(start), homotopy, settings, sink).follow();
 }
 
 }  // namespace snug::solver

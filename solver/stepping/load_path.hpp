@@ -5,6 +5,8 @@
 
 namespace snug::solver {
 
+class Journal;
+
 struct PathSettings {
   double first_step = 1.0;      ///< the whole path; what fails is halved
   double intermediate_residual = 1e-3;
@@ -16,6 +18,7 @@ struct PathSettings {
   double longest_step = 1.0;
   NewtonSettings newton;        ///< of the final increment
   std::function<void(const Scene&, const State&, double t)> accepted;  ///< called with every converged state; may be empty
+  Journal* journal = nullptr;   ///< keeps the path and knows what of it has been walked before; may be null
 };
 
 /// What changes along the path: puts the state at t in [0, 1].
@@ -40,7 +43,7 @@ struct PathResult {
 };
 
 /// Secant prediction, Newton, longer steps after success, shorter steps and a stronger proximal term after failure.
-/// Always returns the last converged state.
+/// Always returns the last converged state. What a journal knows of the path is not solved again.
 PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& settings,
                        const IterationSink& sink);
 

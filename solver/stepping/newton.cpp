@@ -202,7 +202,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (patience.lost(now, iteration, downhill && !contact && row.step >= long_stride)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
     if (iteration >= most) return Outcome::too_many_iterations;
-    const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
+    const bool settled = iteration > 0 && now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
     const double reduction = now.condensed / condensed_before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
     if (too_far && boost < largest_boost) {  // hold back and repeat

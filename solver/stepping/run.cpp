@@ -39,8 +39,8 @@ constexpr std::array<double, 2> spread = {0.5, 0.1};
 class Run {
  public:
   Run(const input::Case& description, const Meshes& meshes, const Observer& observer, const KeptStates& kept,
-      const Stop& stop)
-      : case_(description), worn_(description), meshes_(meshes), kept_(kept), stop_(stop), log_(result_, observer) {
+      const Stop& stop, Journal* journal)
+      : case_(description), worn_(description), meshes_(meshes), kept_(kept), stop_(stop), journal_(journal), log_(result_, observer) {
     const Plan parts = plan(description, meshes);
     result_.title = description.title;
     result_.tier = parts.tier;
@@ -102,6 +102,7 @@ class Run {
   PathSettings settings(Skin skin) const {
     PathSettings path;
     path.newton.stop = stop_;
+    path.journal = journal_;
     path.newton.may_lag = skin == Skin::deformable;
     if (has_friction(worn_)) path.newton.residual = 1e-10;  // it converges linearly: the last step overshoots less than elsewhere
     path.minimum = case_.garment.has_value();
@@ -383,6 +384,7 @@ class Run {
   const Meshes& meshes_;
   const KeptStates& kept_;
   const Stop& stop_;
+  Journal* journal_;  ///< may be null
   int stages_ = 0;
   int lost_ = 0;     ///< iterations of increments that failed so far
   postproc::RunResult result_;
@@ -392,8 +394,8 @@ class Run {
 }  // namespace
 
 postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer,
-                          const KeptStates& kept, const Stop& stop) {
-  return Run(description, meshes, observer, kept, stop)();
+                          const KeptStates& kept, const Stop& stop, Journal* journal) {
+  return Run(description, meshes, observer, kept, stop, journal)();
 }
 
 }  // namespace snug::solver

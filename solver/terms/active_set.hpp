@@ -20,6 +20,9 @@ class ActiveSet {
   /// Changes towards the trials of an iterate, one a vertex: positive in contact; any unit, the same for all.
   void follow(const std::vector<double>& trials);
 
+  /// As it was left by a `follow`; one flag a vertex.
+  void set(const std::vector<char>& flags) { flags_ = flags; }
+
   bool operator[](int vertex) const { return flags_[vertex]; }
   const std::vector<char>& flags() const { return flags_; }
   /// Vertices on the wrong side at the last decision.

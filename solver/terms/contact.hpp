@@ -45,6 +45,10 @@ class Contact : public Term {
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
   /// Active set as found by the last update, one flag a vertex.
   const std::vector<char>& active() const { return active_.flags(); }
+  /// The facets that each triangle couples.
+  std::vector<std::vector<int>> coupled() const;
+  /// As a contact with these was left.
+  void recall(const std::vector<char>& active, const std::vector<std::vector<int>>& coupled);
   /// Quadrature points with their forces, in the order of `places`; `area` is filled by the caller, who knows the
   /// garment's stretch.
   std::vector<postproc::ContactSample> samples(const State& state) const;
@@ -95,6 +99,7 @@ class Contact : public Term {
   int points() const;
   bool locate(const State& state);
   void couple(Element& element);
+  void couple(int facet, Element& element);
   void rebuild_entries();
   void weigh(const State& state);
   bool faces(int vertex) const;

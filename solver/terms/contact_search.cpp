@@ -15,24 +15,38 @@ constexpr double coupling_margin = 0.15;
 
 }  // namespace
 
+void Contact::couple(int facet, Element& element) {
+  if (facet < 0 || std::find(element.facets.begin(), element.facets.end(), facet) != element.facets.end()) return;
+  element.facets.push_back(facet);
+  for (const int node : skin_.nodes_of(facet))
+    if (node >= 0 && std::find(element.skin_nodes.begin(), element.skin_nodes.end(), node) == element.skin_nodes.end())
+      element.skin_nodes.push_back(node);
+}
+
 void Contact::couple(Element& element) {
-  const auto add = [&](int facet) {
-    if (facet < 0 || std::find(element.facets.begin(), element.facets.end(), facet) != element.facets.end()) return;
-    element.facets.push_back(facet);
-    for (const int node : skin_.nodes_of(facet))
-      if (node >= 0 && std::find(element.skin_nodes.begin(), element.skin_nodes.end(), node) == element.skin_nodes.end())
-        element.skin_nodes.push_back(node);
-  };
   element.facets.clear();
   element.skin_nodes.clear();
   for (const ContactPoint& point : element.points) {
     const Site& site = point.site;
     if (site.facet < 0) continue;
-    add(site.facet);
+    couple(site.facet, element);
     const auto& next = skin_.neighbours(site.facet);
     for (std::size_t edge = 0; edge < next.size(); ++edge)
-      if (beyond(skin_.domain(), static_cast<int>(edge), site.xi) > -coupling_margin) add(next[edge]);
+      if (beyond(skin_.domain(), static_cast<int>(edge), site.xi) > -coupling_margin) couple(next[edge], element);
   }
+}
+
+std::vector<std::vector<int>> Contact::coupled() const {
+  std::vector<std::vector<int>> facets;
+  for (const Element& element : elements_) facets.push_back(element.facets);
+  return facets;
+}
+
+void Contact::recall(const std::vector<char>& active, const std::vector<std::vector<int>>& coupled) {
+  active_.set(active);
+  for (std::size_t e = 0; e < coupled.size(); ++e)
+    for (const int facet : coupled[e]) couple(facet, elements_[e]);
+  rebuild_entries();
 }
 
 void Contact::rebuild_entries() {

@@ -1,0 +1,36 @@
+// The file that an unfinished run can go on from.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "solver/app/prepared_case.hpp"
+#include "solver/stepping/journal.hpp"
+
+namespace snug::app {
+
+/// "out.checkpoint" beside the results "out": there until its run has ended. It is replaced in one stroke, so that it is whole at
+/// every instant.
+class Checkpoint {
+ public:
+  /// Of results in `target`. `interval`: seconds from one writing to the next, and to the first.
+  Checkpoint(const std::filesystem::path& target, double interval);
+
+  bool there() const;
+  const std::filesystem::path& file() const { return file_; }
+  /// Throws input::InputError when the file is not whole, or another case's or program's.
+  solver::Journal read(const PreparedCase& prepared) const;
+  /// Once the interval has passed, by way of the folder `aside`. What cannot be written costs nothing else and is said once.
+  void keep(const solver::Journal& journal, const PreparedCase& prepared, const std::filesystem::path& aside);
+  void remove() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::filesystem::path file_;
+  double interval_;
+  Clock::time_point last_ = Clock::now();
+  bool said_ = false;
+};
+
+}  // namespace snug::app
