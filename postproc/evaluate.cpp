@@ -37,20 +37,22 @@ LocationRow summarise(const BodyResult& body, int location, const std::vector<do
   LocationRow row;
   row.name = body.locations[location];
   Pressures all, inside;
-  const std::vector<double>& beside = body.pressure_inside.empty() ? body.contact_pressure : body.pressure_inside;
+  double largest = 0.0;  // beside hems
+  const std::vector<double>& beside = body.largest_inside.empty() ? body.contact_pressure : body.largest_inside;
   for (std::size_t n = 0; n < body.node_location.size(); ++n) {
     if (body.node_location[n] != location) continue;
     const double area = areas[n] * entry(body.coverage, n);
     row.area += areas[n];
     all.add(area, entry(body.contact_pressure, n));
-    if (entry(body.hem, n) == 0.0) inside.add(area, entry(beside, n));
+    if (entry(body.hem, n) == 0.0) inside.add(area, entry(body.contact_pressure, n));
+    largest = std::max(largest, entry(beside, n));
   }
   if (row.area > 0) row.coverage = all.covered / row.area;
   const bool hem_only = all.covered > 0.0 && !(inside.covered > 0.0);
   if (inside.covered < all.covered) row.pressures_of = hem_only ? "hem" : "cover beside hems";
   const Pressures& told = hem_only ? all : inside;
   if (told.covered > 0.0) row.mean_pressure = told.force / told.covered;
-  row.max_pressure = told.largest;
+  row.max_pressure = hem_only ? all.largest : largest;
   return row;
 }
 

@@ -92,19 +92,20 @@ void fill_lines(const std::vector<Near>& near, RunResult& run) {
   }
 }
 
-/// Of the points beside the strips in facets with nodes in them.
-double largest_at_border(const std::vector<ContactSample>& samples, const BodyResult& body) {
-  double largest = 0.0;
+/// Raises the largest pressures of the nodes of a facet that a strip's border runs through to those of its points beside the strip.
+void raise_to_border(const std::vector<ContactSample>& samples, BodyResult& body) {
   for (const ContactSample& sample : samples) {
     if (sample.facet < 0 || sample.hem >= 0) continue;
     const auto& facet = body.skin_facets[sample.facet];
     const bool border = std::any_of(facet.begin(), facet.end(), [&](int n) { return n >= 0 && body.hem[n] == 1.0; });
-    if (border) largest = std::max(largest, field_at(body.skin_facets, sample, body.contact_pressure));
+    if (!border) continue;
+    const double pressure = field_at(body.skin_facets, sample, body.contact_pressure);
+    for (const int n : facet)
+      if (n >= 0) body.largest_inside[n] = std::max(body.largest_inside[n], pressure);
   }
-  return largest;
 }
 
-double fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyResult& body) {
+void fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyResult& body) {
   std::vector<Point> now = body.nodes;
   for (std::size_t n = 0; n < now.size(); ++n) now[n] += body.displacement[n];
   body.pressure_inside = body.contact_pressure;
@@ -119,12 +120,10 @@ double fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyRes
     const Near near = skin[n] ? nearest(chains, now[n], widest) : Near{};
     if (near.edge >= 0 && near.distance < run.hems[near.edge].strip) body.hem[n] = 1.0;
   }
-  double largest = largest_at_border(run.samples, body);
-  for (std::size_t n = 0; n < now.size(); ++n) {
+  for (std::size_t n = 0; n < now.size(); ++n)
     if (body.hem[n] == 1.0) body.pressure_inside[n] = 0.0;
-    largest = std::max(largest, body.pressure_inside[n]);
-  }
-  return largest;
+  body.largest_inside = body.pressure_inside;
+  raise_to_border(run.samples, body);
 }
 
 }  // namespace
@@ -150,7 +149,8 @@ double keep_hems_apart(double cell, RunResult& run) {
     sample.hem = edge >= 0 && distance < run.hems[edge].strip ? edge : -1;
   }
   fill_lines(near, run);
-  return fill_body(chains, run, run.body);
+  fill_body(chains, run, run.body);
+  return *std::max_element(run.body.largest_inside.begin(), run.body.largest_inside.end());
 }
 
 }  // namespace snug::postproc

@@ -18,9 +18,10 @@ namespace snug::postproc {
 ///          of a smooth pressure is of the third order in c.
 /// Distances are straight ones to the edge as worn. A point belongs to the nearest edge.
 ///
-/// Fills run.hems, the samples' `hem`, and of the body `hem` and `pressure_inside` (its `contact_pressure` less the strips) from the
-/// samples, their places and the garment's edges. `cell`: mean edge length of the skin's facets, m. Returns the largest pressure beside the strips, Pa: of the
-/// nodes, and of the points in the facets that a strip's border runs through, where the last node may be half a cell away.
+/// Fills run.hems, the samples' `hem`, and of the body `hem`, `pressure_inside` (its `contact_pressure` less the strips) and
+/// `largest_inside` from the samples, their places and the garment's edges. `cell`: mean edge length of the skin's facets, m.
+/// Returns the largest pressure beside the strips, Pa: of the nodes, and of the points in the facets that a strip's border
+/// runs through, where the last node may be half a cell away.
 double keep_hems_apart(double cell, RunResult& run);
 
 }  // namespace snug::postproc

@@ -43,6 +43,8 @@ struct BodyResult {
   std::vector<double> hem;                            ///< 1 in the strip beside an edge of the garment (hem.hpp), else 0;
                                                       ///< empty without contact
   std::vector<double> pressure_inside;                ///< Pa, of the contact beside those strips, 0 in them; empty as `hem`
+  std::vector<double> largest_inside;                 ///< Pa, of a node's own `pressure_inside` and of the points beside the strips in
+                                                      ///< a facet of the node that a strip's border runs through; empty as `hem`
   std::vector<double> laplace_pressure;               ///< Pa, L0 value where computed; may be empty
   std::vector<Eigen::Vector3d> shear_traction;        ///< Pa, friction of the garment on the skin; empty without friction
   std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips; empty without friction

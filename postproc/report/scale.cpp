@@ -81,7 +81,6 @@ double largest_of(const std::vector<double>& values) {
 const std::vector<double>& pressure_beside(const Skin& skin) { return skin.beside.empty() ? skin.pressure : skin.beside; }
 
 double largest(const Skin& skin) { return largest_of(skin.pressure); }
-double largest_beside(const Skin& skin) { return largest_of(pressure_beside(skin)); }
 
 double largest_inside(const Skin& skin) {
   double result = 0.0;

@@ -46,9 +46,8 @@ PressureScale pressure_scale(const std::vector<const Skin*>& skins);
 
 /// The pressure beside the hems; that everywhere where the skin knows no hems. Pa, one value a node.
 const std::vector<double>& pressure_beside(const Skin& skin);
-/// The largest pressure where the garment covers the skin wholly, beside the hems, and anywhere. Pa.
+/// The largest pressure where the garment covers the skin wholly beside the hems, and anywhere. Pa.
 double largest_inside(const Skin& skin);
-double largest_beside(const Skin& skin);
 double largest(const Skin& skin);
 
 }  // namespace snug::postproc::report

@@ -133,12 +133,25 @@ TEST(Hems, LocationsLeaveThemOut) {
     run.body.contact_pressure[n] = z > high - 0.02 ? 5000.0 : pressure_at(z);
     run.body.pressure_inside[n] = run.body.hem[n] == 1.0 ? 0.0 : run.body.contact_pressure[n];
   }
+  run.body.largest_inside = run.body.pressure_inside;
   const Evaluation evaluation = evaluate(run, std::nullopt);
   EXPECT_EQ(evaluation.locations[0].pressures_of, "cover beside hems");
   EXPECT_LT(evaluation.locations[0].max_pressure, pressure_at(high));
   EXPECT_NEAR(evaluation.locations[0].mean_pressure, pressure_at(0.5 * (low + high)), 10.0);
   EXPECT_EQ(evaluation.locations[1].pressures_of, "hem");
   EXPECT_NEAR(evaluation.locations[1].mean_pressure, 5000.0, 1e-6);
+}
+
+// The largest pressure of a run is that of one of its locations, where these cover it: one rule for both.
+TEST(Hems, TheLargestPressureIsThatOfALocation) {
+  RunResult run = worn(24, 12, 8, 50.0);
+  const double largest = keep_hems_apart(cell_of(24, 12), run);
+  run.body.coverage.assign(run.body.nodes.size(), 1.0);
+  double of_locations = 0.0;
+  for (const LocationRow& row : evaluate(run, std::nullopt).locations)
+    if (row.pressures_of != "hem") of_locations = std::max(of_locations, row.max_pressure);
+  EXPECT_GT(largest, *std::max_element(run.body.pressure_inside.begin(), run.body.pressure_inside.end()));
+  EXPECT_EQ(of_locations, largest);
 }
 
 // Without contact nothing is marked, and a garment without named edges keeps all of its pressure.
