@@ -1,6 +1,8 @@
 // A run that is stopped or killed.
 #include <nlohmann/json.hpp>
 
+#include "solver/app/cleaner.hpp"
+#include "solver/app/output_directory.hpp"
 #include "tests/attack/attack.hpp"
 
 namespace snug {
@@ -62,6 +64,21 @@ TEST_F(Stopped, ASecondSignalEndsAtOnce) {
   const int status = end(run);
   EXPECT_TRUE(status == 130 || status == 143) << status;
   EXPECT_TRUE(eventually([&] { return nothing_left(); }));
+}
+
+TEST_F(Attack, AKilledRunOfAnyNameLeavesNothing) {
+  // The name ends as the farewell to the cleaner does, which waits for the end of the process all the same.
+  const fs::path place = folder_ / "sleeve";
+  const pid_t run = ::fork();
+  if (run == 0) {
+    const app::Cleaner cleaner;
+    app::OutputDirectory out(place);
+    cleaner.repair(place);
+    out.aside();
+    ::raise(SIGKILL);
+  }
+  EXPECT_EQ(end(run), 137);
+  EXPECT_TRUE(eventually([&] { return names("").empty(); }));
 }
 
 /// Processes of the program that work in a folder.
