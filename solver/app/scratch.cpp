@@ -1,9 +1,10 @@
 #include "solver/app/scratch.hpp"
 
-#include <unistd.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <cerrno>
-#include <cstdlib>
+#include <random>
 #include <system_error>
 
 #include "cases/input/diagnostics.hpp"
@@ -13,12 +14,12 @@ namespace snug::app {
 namespace fs = std::filesystem;
 
 Scratch::Scratch(const fs::path& base, const Cleaner& cleaner) {
-  std::string name = (base / "snug-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr)
+  std::random_device random;
+  path_ = base / fmt::format("snug-{:08x}{:08x}", random(), random());
+  cleaner.remove(path_);  // told first: a kill between the two leaves nothing
+  if (::mkdir(path_.c_str(), 0700) != 0)
     throw input::InputError({base.string(), 0, 0}, "no temporary folder can be made here: " + std::generic_category().message(errno),
                             "set TMPDIR to a folder that can be written to");
-  path_ = name;
-  cleaner.remove(path_);
 }
 
 Scratch::~Scratch() {
