@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -73,6 +74,14 @@ std::string reason(int error) { return std::generic_category().message(error); }
 
 bool is_there(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
+/// Nothing is in it but a mark that was being written: of a run that was killed as it began, or at its very end.
+bool is_bare(const fs::path& aside) {
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(aside, failed))
+    if (!entry.path().filename().string().starts_with(result_mark)) return false;
+  return !failed && std::isdigit(static_cast<unsigned char>(aside.string()[aside.string().rfind(".tmp-") + 5]));
+}
+
 /// Directories aside of `target`, those of live runs too.
 std::vector<fs::path> asides_of(const fs::path& target) {
   std::vector<fs::path> found;
@@ -80,7 +89,7 @@ std::vector<fs::path> asides_of(const fs::path& target) {
   const std::string prefix = target.filename().string() + ".tmp-";
   for (const auto& entry : fs::directory_iterator(parent_of(target), ignored))
     if (entry.is_directory() && !entry.is_symlink() && entry.path().filename().string().starts_with(prefix) &&
-        fs::exists(entry.path() / result_mark))
+        (fs::exists(entry.path() / result_mark) || is_bare(entry.path())))
       found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
@@ -220,6 +229,7 @@ const fs::path& OutputDirectory::aside() {
                             "name a folder in it: --out " + (named_ / "out").string());
   std::error_code failed;
   fs::create_directories(parent_of(target_), failed);
+  const Lock together(parent_of(target_), Lock::Wait::yes);  // nobody sees the directory before it is locked
   std::random_device random;  // the number of the process alone is not its own where several containers share a disk
   for (bool fresh = false; !fresh && !failed;) {
     aside_ = target_.string() + fmt::format(".tmp-{}-{:06x}", ::getpid(), random() & 0xffffff);
@@ -254,6 +264,12 @@ void OutputDirectory::exchange() {
   ::rename(earlier.c_str(), aside_.c_str());
 }
 
+/// Takes the directory out of the reach of `repair_results`, which would remove it at the end of this process.
+fs::path OutputDirectory::keep() const {
+  const fs::path kept = target_.string() + ".kept-" + aside_.string().substr(aside_.string().rfind(".tmp-") + 5);
+  return ::rename(aside_.c_str(), kept.c_str()) == 0 ? kept : aside_;
+}
+
 void OutputDirectory::commit() {
   aside();
   made_ = false;  // from here on the results are whole: whatever fails does not cost them
@@ -272,7 +288,7 @@ void OutputDirectory::commit() {
     input::sync_directory(aside_);
     replaces ? exchange() : rename_or_throw(aside_, target_);
   } catch (const std::exception& error) {
-    throw std::runtime_error(fmt::format("{}; the results are in {}", error.what(), aside_.string()));
+    throw std::runtime_error(fmt::format("{}; the results are in {}", error.what(), keep().string()));
   }
   if (replaces) give_back(aside_, target_);
   input::sync_directory(parent_of(target_));

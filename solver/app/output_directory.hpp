@@ -26,7 +26,7 @@ class OutputDirectory {
   /// As the user named it.
   const std::filesystem::path& target() const { return named_; }
   /// Puts the directory in the place of the earlier one: at every instant one of the two is whole under the name. Throws
-  /// std::runtime_error when that fails, and then keeps the directory aside and names it.
+  /// std::runtime_error when that fails, and then keeps the directory as "out.kept-PID-…" and names it.
   void commit();
 
   /// An advisory lock on a directory, gone with the process.
@@ -35,6 +35,7 @@ class OutputDirectory {
  private:
   void check_target(const ResultList& files) const;
   void exchange();
+  std::filesystem::path keep() const;
 
   std::filesystem::path named_, target_, aside_;
   std::unique_ptr<Lock> alive_;  ///< on the directory aside, for as long as this process works on it

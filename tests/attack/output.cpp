@@ -88,6 +88,8 @@ TEST_F(Attack, WhatAKilledRunLeftIsPutRight) {
   aside("out.tmp-1", "half", false);
   aside("out.tmp-2", "whole", true);
   put("out.tmp-3/mine.txt", "the user's");
+  put("out.tmp-5/.snug-results.part-5", "killed as it beg");
+  fs::create_directories(folder_ / "out.tmp-6");  // killed before it wrote anything, or after it had removed everything
   app::repair_results(folder_ / "out");
   EXPECT_EQ(text("out/summary.json"), "whole");
   EXPECT_EQ(names(""), (std::vector<std::string>{"out", "out.tmp-3"}));
@@ -97,6 +99,19 @@ TEST_F(Attack, WhatAKilledRunLeftIsPutRight) {
   EXPECT_EQ(text("out/summary.json"), "whole");
   EXPECT_EQ(text("out/note.txt"), "written in the last moment");
   EXPECT_EQ(names(""), (std::vector<std::string>{"out", "out.tmp-3"}));
+}
+
+TEST_F(Attack, ResultsThatCannotTakeTheirPlaceAreKept) {
+  // The place changed during the run: the results stay under another name, which no later run takes away.
+  app::OutputDirectory out(folder_ / "out");
+  write((out.aside() / "summary.json").lexically_relative(folder_).string(), "whole");
+  put("out", "a file of the user");
+  EXPECT_THROW(out.commit(), std::exception);
+  app::repair_results(folder_ / "out");
+  const auto all = names("");
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_TRUE(all[1].starts_with("out.kept-")) << all[1];
+  EXPECT_EQ(text(all[1] + "/summary.json"), "whole");
 }
 
 TEST_F(Attack, APlaceThatCannotBeWrittenIsSaidBeforeTheSolve) {
