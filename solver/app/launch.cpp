@@ -116,7 +116,10 @@ int launch_ranks(int ranks, const Cleaner& cleaner) {
   if (WIFEXITED(state) && WEXITSTATUS(state) == no_mpirun)
     throw input::InputError({"--ranks", 0, 0}, "mpirun is not there",
                             "install openmpi-bin (scripts/setup does), or leave --ranks out");
-  if (StopSignals::received() != 0) return 128 + StopSignals::received();
+  if (const int signal = StopSignals::received(); signal != 0) {
+    fmt::print(stderr, "snug: error: stopped by you ({}) before the ranks had begun; nothing is written\n", StopSignals::name(signal));
+    return 128 + signal;
+  }
   fmt::print(stderr, "snug: error: the ranks ended before they were done (mpirun {} {}); see what is said above, or leave --ranks out\n",
              WIFEXITED(state) ? "gave status" : "was ended by signal", WIFEXITED(state) ? WEXITSTATUS(state) : WTERMSIG(state));
   return internal_fault;

@@ -179,8 +179,8 @@ class Run : public Command {
   static bool stopped() { return !solver::on_all_ranks(StopSignals::received() == 0); }
   static int signal() { return StopSignals::received() == 0 ? SIGTERM : StopSignals::received(); }
 
-  int given_up(const fs::path& directory) const {
-    if (writes_) fmt::print(stderr, "{}: error: stopped by you ({}) before the solution began; nothing is written\n", directory.string(), StopSignals::name(signal()));
+  int given_up(const fs::path& directory, const char* before) const {
+    if (writes_) fmt::print(stderr, "{}: error: stopped by you ({}) before {}; nothing is written\n", directory.string(), StopSignals::name(signal()), before);
     return 128 + signal();
   }
 
@@ -194,7 +194,7 @@ class Run : public Command {
     const solver::Plan plan = solver::plan(prepared.description, prepared.meshes);
     refuse_large_plan(plan, prepared.memory_limit, prepared.description);
     if (writes_) make_room(out);
-    if (stopped()) return given_up(directory);
+    if (stopped()) return given_up(directory, "the solution began");
     if (!session_) {
       scratch_ = prepare_for_mpi(*cleaner_);
       session_ = std::make_unique<SolverSession>();
@@ -211,9 +211,10 @@ class Run : public Command {
     postproc::RunResult run = solve(prepared, states, out, states_ == 0 ? &journal : nullptr);
     if (!writes_) return run.status == "converged" ? done : not_converged;
     const bool nothing = run.status == "failed" && (!gave_up_ || run.increments == 0);
+    if (nothing && gave_up_) return given_up(directory, "a step had converged");  // the earlier results are worth more
     if (run.status != "converged" && gave_up_) {
       run.status = "partial";
-      run.message = fmt::format("stopped by you ({}){}", StopSignals::name(signal()), nothing ? " before a step had converged" : "");
+      run.message = fmt::format("stopped by you ({})", StopSignals::name(signal()));
     }
     // Nothing converged: the pressures mean nothing.
     const auto evaluation = nothing
