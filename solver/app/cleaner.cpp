@@ -94,9 +94,9 @@ Cleaner::Cleaner() {
 
 Cleaner::~Cleaner() {
   if (to_ < 0) return;
-  ::send(to_, "e", 2, MSG_NOSIGNAL);
+  const bool told = ::send(to_, "e", 2, MSG_NOSIGNAL) == 2;
   ::close(to_);
-  ::waitpid(child_, nullptr, 0);
+  if (told) ::waitpid(child_, nullptr, 0);  // otherwise it waits for the end of this process
 }
 
 void Cleaner::tell(char what, const fs::path& path) const {
