@@ -356,7 +356,7 @@ class Run {
 
   void name_coefficient(const State& held) {
     if (held.release > 0.0)
-      result_.message += fmt::format("; what is reported is held by a coefficient of {:.2g}",
+      result_.message += fmt::format("; what is reported is held by a coefficient of {:.2g}, and with less no equilibrium was found",
                                      friction_choice(worn_).coefficient / held.release);
     else
       result_.message += "; what is reported sticks without a bound";

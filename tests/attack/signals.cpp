@@ -23,9 +23,14 @@ class Stopped : public Attack {
     std::vector<std::string> words = {"run", "mine", "--quiet", "--states", "60"};
     words.insert(words.end(), more.begin(), more.end());
     const pid_t run = start(words);
-    EXPECT_TRUE(eventually([&] { return is_solving("mine"); }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    EXPECT_TRUE(eventually([&] { return has_converged(); }));
     return run;
+  }
+  /// A step has: the state after the placed one is kept.
+  bool has_converged() const {
+    for (const std::string& name : names("mine"))
+      if (name.starts_with("out.tmp-") && there(fs::path("mine") / name / "states/garment_0001.vtu")) return true;
+    return false;
   }
   bool nothing_left() const { return names("mine").size() == 4 && fs::is_empty(temporary_); }
   std::string before_;

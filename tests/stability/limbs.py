@@ -66,7 +66,11 @@ def tapers():
     yield taper("taper friction 0", "friction", "no friction, no hem held: slides off", friction=0, right="slides", laplace=False)
     yield taper("taper friction 2", "friction", "friction 2, no hem held", friction=2)
     yield taper("taper friction 0.01, hem", "friction", "friction 0.01, upper hem held", friction=0.01, held=("upper",))
-    yield taper("taper 100 Pa", "soft", "tissue of 100 Pa under 0.4 kPa", mu=100.0, laplace=True)
+    # p = 4 mu: with a coefficient below 0.61 the hems run together, whatever the coefficient and the steps on the way down to it.
+    for friction in (None, 0.55):
+        yield taper("taper 100 Pa" + (f", friction {friction}" if friction else ""), "soft", "tissue of 100 Pa under 0.4 kPa: slides below a coefficient of 0.61",
+                    mu=100.0, friction=friction, right="slides", least_friction=0.61, laplace=False)
+    yield taper("taper 100 Pa, friction 0.7", "soft", "the same with a coefficient that holds", mu=100.0, friction=0.7)
     yield taper("taper fabric x100", "fabric", "fabric 100 times too stiff", k1=12.5e3)
     yield taper("taper fabric x1000", "fabric", "fabric 1000 times too stiff", k1=125e3)
     yield taper("taper foil", "fabric", "foil of 100 kN/m on a cone it does not fit", k1=1e5, rest=0.0458)
@@ -131,7 +135,8 @@ def calves():
     yield calf("calf lower hem", "hems", "lower hem held at the ankle", held=("lower",))
     yield calf("calf tight", "undersize", "170 mm on 215 to 365 mm from the ankle up", flat=0.170, position=0.005, length=0.22)
     yield calf("calf friction 2", "friction", "friction 2", friction=2)
-    yield calf("calf 100 Pa", "soft", "tissue of 100 Pa", mu=100.0)
+    yield calf("calf 100 Pa", "soft", "tissue of 100 Pa: slides below a coefficient of 0.42", mu=100.0, right="slides", least_friction=0.42, laplace=False)
+    yield calf("calf 100 Pa, friction 0.5", "soft", "the same with a coefficient that holds", mu=100.0, friction=0.5)
     yield calf("calf ankle band", "length", "band of 30 mm at the ankle", flat=0.190, position=0.03, length=0.03)
 
 

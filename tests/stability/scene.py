@@ -36,6 +36,7 @@ class Scene:
     exact: Exact | None = None
     sleeve: Sleeve | None = None
     right: str = "converged"       # slides: no equilibrium exists, and the run must say so
+    least_friction: float = 0.0    # of a scene that slides: the coefficient below which there is no equilibrium, to a tenth
     system: str = "SI"
     quick: bool = False
 

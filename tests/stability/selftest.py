@@ -99,6 +99,12 @@ class Verdicts(unittest.TestCase):
         self.assertFalse(verdict(slides, outcome("partial", message="too many iterations")).good)
         self.assertTrue(verdict(slides, outcome("failed", message="no equilibrium: nothing holds the garment")).good)
 
+    def test_where_the_least_friction_is_known_it_must_be_told(self):
+        slides = Scene("s", "g", "", {}, right="slides", least_friction=0.5)
+        told = "letting go stopped; what is reported is held by a coefficient of {}"
+        self.assertTrue(verdict(slides, outcome("partial", message=told.format("0.52"))).good)
+        self.assertFalse(verdict(slides, outcome("partial", message=told.format("0.7"))).good)
+
     def test_twins_differ_by_pressure_and_by_iterations(self):
         twin = Scene("s", "g", "", {}, same_as="b")
         base = {"b": outcome("converged", mean_contact_pressure_Pa=100.0)}
