@@ -42,15 +42,15 @@ std::string with_single_blanks(const std::string& text) {
   return result;
 }
 
-/// The word deg is degree.
-std::string with_degrees(const std::string& text) {
+/// The words deg and dyn are degree and dyne.
+std::string with_long_words(const std::string& text) {
   std::string result, word;
   for (const char c : text + ' ') {
     if (is_letter(c) || (c >= '0' && c <= '9')) {
       word += c;
       continue;
     }
-    result += (word == "deg" ? "degree" : word) + c;
+    result += (word == "deg" ? "degree" : word == "dyn" ? "dyne" : word) + c;
     word.clear();
   }
   result.pop_back();
@@ -65,7 +65,7 @@ std::string plain(std::string unit) {
       {{"·", " "}, {"×", " "}, {"*", " "}, {"−", "-"}, {"²", "2"}, {"³", "3"}, {"°", "degree"}, {"µ", "u"}}};
   for (const auto& [from, to] : spellings)
     for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, std::string(from).size(), to);
-  return with_degrees(with_single_blanks(unit));
+  return with_long_words(with_single_blanks(unit));
 }
 
 Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), plain(text).c_str(), UT_UTF8)); }

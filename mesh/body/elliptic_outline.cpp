@@ -50,6 +50,12 @@ OutlinePoint EllipticOutline::derivatives(double turn, double z) const {
           .x_zz = {x[2] + a[2] * c, y[2] + b[2] * s, 0.0}};
 }
 
+double EllipticOutline::turn_at_angle(double angle, double z) const {
+  // (a cos t, b sin t) lies at the angle f with tan f = (b/a) tan t; both are in the same quarter.
+  const double turn = std::atan2(half_width_(z) * std::sin(angle), half_depth_(z) * std::cos(angle)) / (2.0 * std::numbers::pi);
+  return turn + std::round(angle / (2.0 * std::numbers::pi) - turn);
+}
+
 Limb straight_limb(const Ellipse& skin, const Ellipse& bone, double lower, double upper) {
   const auto outline = [&](Ellipse section) {
     std::vector<Ellipse> sections(2, section);

@@ -29,6 +29,7 @@ class EllipticOutline final : public Outline {
 
   Eigen::Vector3d at(double turn, double z) const override;
   OutlinePoint derivatives(double turn, double z) const override;
+  double turn_at_angle(double angle, double z) const override;
 
  private:
   Spline half_width_, half_depth_, centre_x_, centre_y_;

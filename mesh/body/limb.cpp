@@ -58,6 +58,8 @@ OutlinePoint Outline::derivatives(double turn, double z) const {
   return point;
 }
 
+double Outline::turn_at_angle(double angle, double) const { return angle / (2.0 * std::numbers::pi); }
+
 Eigen::Vector3d outward_normal(const Outline& outline, double turn, double z) {
   const OutlinePoint p = outline.derivatives(turn, z);
   return p.x_t.cross(p.x_z).normalized();  // round counter-clockwise x up = outwards

@@ -28,6 +28,9 @@ class Outline {
   /// The same point with first and second derivatives; by fourth-order central differences of `at` unless the outline
   /// knows them exactly.
   virtual OutlinePoint derivatives(double turn, double z) const;
+  /// The turn of the point that lies at an angle (rad, from +x) from the centre of the outline; the same share of a full turn
+  /// unless the outline says otherwise.
+  virtual double turn_at_angle(double angle, double z) const;
 };
 
 /// Outward unit normal of an outline.

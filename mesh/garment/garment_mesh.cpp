@@ -91,13 +91,13 @@ Section section(const Limb& limb, double z, double width, double lift, double se
 /// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from
 /// outside.
 void place(const input::GarmentSpec& spec, const Limb& limb, double lift, GarmentMesh& mesh) {
-  const double width = spec.pattern.flat_circumference, seam = spec.seam / (2.0 * std::numbers::pi);
+  const double width = spec.pattern.flat_circumference;
   std::map<double, Section> sections;  // the nodes of an edge share a height
   for (std::size_t n = 0; n < mesh.pattern.size(); ++n) {
     const Eigen::Vector2d& x = mesh.pattern[mesh.merged[n]];
     const double z = spec.position + x.y();
     auto it = sections.find(z);
-    if (it == sections.end()) it = sections.emplace(z, section(limb, z, width, lift, seam)).first;
+    if (it == sections.end()) it = sections.emplace(z, section(limb, z, width, lift, limb.skin->turn_at_angle(spec.seam, z))).first;
     const Section& s = it->second;
     const double turn = s.arc->turn_at(x.x() / width);
     mesh.placed.push_back(limb.skin->at(turn, z) + s.distance * outward_normal(*limb.skin, turn, z));

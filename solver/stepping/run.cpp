@@ -242,8 +242,9 @@ class Run {
   /// From a garment that sticks to the answer; `net`: what pushed it.
   void let_go(Scene& scene, const State& sticking, Skin skin, const Push& net) {
     const bool vanishing = !has_friction(case_);
-    const PathResult path =
-        follow_path(scene, sticking, letting_go(), vanishing ? on_the_way(skin) : settings(skin), log_.sink("let go"));
+    PathSettings way = vanishing ? on_the_way(skin) : settings(skin);
+    way.intermediate_residual = 1e-6;  // friction's part of the balance is small: looser states would not follow its bound at all
+    const PathResult path = follow_path(scene, sticking, letting_go(), way, log_.sink("let go"));
     const bool holds = accept(scene, path, "letting go");
     if (holds && vanishing) return without_any(scene, path.state, skin);
     if (!holds) name_coefficient(path.state), name_slipping(net);

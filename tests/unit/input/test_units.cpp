@@ -32,6 +32,7 @@ TEST(Units, OfTextilesAndClinicsAreKnown) {
   EXPECT_DOUBLE_EQ(si("10 kPa", "Pa"), 1e4);
   EXPECT_NEAR(si("35 deg", "rad"), 35 * degree, 1e-12);
   EXPECT_NEAR(si("35°", "rad"), 35 * degree, 1e-12);
+  EXPECT_NEAR(si("100 dyn/cm", "N/m"), 0.1, 1e-15);
   EXPECT_NEAR(si("180 g/m2", "kg/m2"), 0.18, 1e-12);
   EXPECT_DOUBLE_EQ(si("1e3 N / m", "N/m"), 1000);
   EXPECT_DOUBLE_EQ(si("-5mm", "m"), -5e-3);

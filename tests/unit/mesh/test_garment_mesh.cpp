@@ -176,5 +176,24 @@ TEST(GarmentMesh, TheSeamLiesWhereTheCaseSays) {
   EXPECT_GT(on_seam, 3);
 }
 
+/// On an ellipse, too, the seam's angle is the one that is seen from its middle, in every quarter and beyond a full turn.
+TEST(GarmentMesh, TheSeamOfAnEllipseLiesAtItsAngle) {
+  const Limb limb = straight_limb(ellipse_of_girth(0.0, 0.4, 2.5, 0.0, 0.0), ellipse_of_girth(0.0, 0.1, 1.0, 0.0, 0.0), 0.0, 0.2);
+  for (const double angle : {0.3, 1.0, 2.0, 3.5, 5.0, 7.0, -1.0}) {
+    input::GarmentSpec spec = tube_spec(0.3, 0.06, 0.05);
+    spec.seam = angle;
+    const GarmentMesh mesh = make_garment_mesh(spec, limb, cell, 0.0);
+    int on_seam = 0;
+    for (std::size_t n = 0; n < mesh.placed.size(); ++n) {
+      if (mesh.pattern[n].x() != 0.0) continue;
+      const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0.0);
+      EXPECT_LT(along.cross(Eigen::Vector3d(mesh.placed[n].x(), mesh.placed[n].y(), 0.0)).norm(), 1e-12) << angle;
+      EXPECT_GT(along.dot(mesh.placed[n]), 0.0) << angle;
+      ++on_seam;
+    }
+    EXPECT_GT(on_seam, 3);
+  }
+}
+
 }  // namespace
 }  // namespace snug::mesh
