@@ -71,7 +71,7 @@ void Checkpoint::keep(const solver::Journal& journal, const PreparedCase& prepar
     text += hash_line(text);
     input::write_file(aside / "checkpoint", text);
     fs::rename(aside / "checkpoint", file_);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     if (!said_) fmt::print(stderr, "snug: warning: the run cannot be gone on from where it is: {}\n", error.what());
     said_ = true;
   }

@@ -37,7 +37,9 @@ class OutputDirectory::Lock {
     }
   }
   ~Lock() {
-    if (number_ >= 0) ::close(number_);
+    if (number_ < 0) return;
+    ::flock(number_, LOCK_UN);  // whatever becomes of the closing: others wait for it
+    ::close(number_);
   }
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;

@@ -227,7 +227,7 @@ class Run : public Command {
     out.commit();
     if (!gave_up_) checkpoint.remove();
     say(final_text(run, evaluation, out.target()) + verdict_);
-    if (gave_up_ && checkpoint.there()) say(fmt::format("  to go on            snug run {} --resume\n", directory.string()));
+    if (gave_up_ && checkpoint.there()) say(fmt::format("  to go on            the same command with --resume (from {})\n", checkpoint.file().string()));
     const int status = std::max(status_of(run, directory), regression);
     return run.status != "converged" && gave_up_ ? 128 + signal() : status;
   }

@@ -49,10 +49,10 @@ TEST_F(Resumed, AKilledRunGoesOnToTheSameBytes) {
 }
 
 TEST_F(Resumed, AStoppedRunSaysHowItGoesOn) {
-  // Ctrl-C leaves what converged as partial, the checkpoint beside it and the command that goes on.
+  // Ctrl-C leaves what converged as partial, the checkpoint beside it and how to go on.
   ASSERT_EQ(ended_by(SIGINT), 130);
   EXPECT_EQ(nlohmann::json::parse(text("mine/out/summary.json")).at("status"), "partial");
-  EXPECT_NE(text("log").find("snug run mine --resume"), std::string::npos) << text("log");
+  EXPECT_NE(text("log").find("the same command with --resume (from mine/out.checkpoint)"), std::string::npos) << text("log");
   ASSERT_EQ(run(" --quiet --resume").status, 0);
   EXPECT_EQ(nlohmann::json::parse(text("mine/out/summary.json")).at("status"), "converged");
 }
