@@ -164,7 +164,7 @@ void estimate(const input::Case& description, const Meshes& meshes, Plan& plan) 
   plan.seconds = 1e-4 * rigid + (body > 0.0 ? 4e-6 * std::pow(body + rigid, 1.4) : 0.0);
   if (!description.garment) plan.seconds *= 0.5;
   if (has_friction(description)) plan.seconds *= 1.6;
-  if (has_friction(description) && body > 0.0 && presses_hard(description, meshes)) plan.seconds *= 4.0;
+  if (has_friction(description) && body > 0.0 && presses_hard(description, meshes)) plan.seconds *= 5.0;
   if (description.garment && loose_cloth(*description.garment, meshes.garment).bending) plan.seconds *= 2.5;
   plan.memory_bytes = 2e8 + 6e3 * rigid + 3e4 * body;
 }
