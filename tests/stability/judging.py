@@ -125,7 +125,7 @@ def counts(rows, start):
     same = [r for r in twins if r.verdict == "same"]
     exact = [r for r in rows if r.scene.exact]
     met = [r for r in exact if r.verdict == "exact"]
-    share = lambda part, whole: f"{len(part)} of {len(whole)}" + (f" ({100 * len(part) / len(whole):.0f} %)" if whole else "")
+    share = lambda part, whole: f"{len(part)} of {len(whole)}" + (f" ({100 * len(part) / len(whole):.1f} %)" if whole else "")
     return [
         Count("converged, of the scenes that have an equilibrium", share(converged, solvable), "95 %", len(converged) >= 0.95 * len(solvable)),
         Count("a state returned and named for what it is", share(returned, rows), "100 %", len(returned) == len(rows)),
