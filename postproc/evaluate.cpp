@@ -45,7 +45,7 @@ LocationRow summarise(const BodyResult& body, int location, const std::vector<do
     row.area += areas[n];
     all.add(area, entry(body.contact_pressure, n));
     if (entry(body.hem, n) == 0.0) inside.add(area, entry(body.contact_pressure, n));
-    largest = std::max(largest, entry(beside, n));
+    if (area > 0.0) largest = std::max(largest, entry(beside, n));  // a facet over the garment's edge has nodes that bear nothing
   }
   if (row.area > 0) row.coverage = all.covered / row.area;
   const bool hem_only = all.covered > 0.0 && !(inside.covered > 0.0);

@@ -37,9 +37,8 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
 }
 
 // Along a step that leads downhill, how far the positions go; pressures and multipliers take their whole step. With those as
-// they will be, the forces along the step are the slope of an energy (Luenberger & Ye, Linear and Nonlinear Programming,
-// ch. 15), and a step may end where that slope has turned upwards by at most half of what it was at the start (unless that was
-// `round_off`, N, of the balance). A membrane without tension has no stiffness across itself, and one that is much stiffer in
+// they will be, the forces along the step are the slope of an energy, and a step may end where that slope has turned upwards by
+// at most half of what it was at the start (unless that was `round_off`, N, of the balance). A membrane without tension has no stiffness across itself, and one that is much stiffer in
 // shear than in tension wrinkles and unfolds at every iterate, so that whole steps are far too long. Not for what bends: the
 // strip of the heavy elastica turns far in whole steps, which first go uphill, and hardly in cut ones. False: nothing but
 // inadmissible states.

@@ -152,6 +152,8 @@ TEST(Hems, TheLargestPressureIsThatOfALocation) {
     if (row.pressures_of != "hem") of_locations = std::max(of_locations, row.max_pressure);
   EXPECT_GT(largest, *std::max_element(run.body.pressure_inside.begin(), run.body.pressure_inside.end()));
   EXPECT_EQ(of_locations, largest);
+  run.body.coverage.assign(run.body.nodes.size(), 0.0);  // a location that the garment does not cover bears nothing
+  for (const LocationRow& row : evaluate(run, std::nullopt).locations) EXPECT_EQ(row.max_pressure, 0.0) << row.name;
 }
 
 // Without contact nothing is marked, and a garment without named edges keeps all of its pressure.
