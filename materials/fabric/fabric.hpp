@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -70,6 +71,8 @@ struct Fabric {
   std::optional<double> friction;  ///< coefficient of friction on skin, where it was measured
   std::string source;          ///< how each number was turned into SI
 
+  /// The larger initial one of warp and weft, N/m.
+  double stiffness() const { return std::max(warp.at(0.0).stiffness, weft.at(0.0).stiffness); }
   MembraneResponse unrelaxed(const Eigen::Vector3d& strain) const;
   /// W_used = (1 - eta) W_r + eta W; W_r(E) = min over A >= 0 of W(E + A) (relaxed energy, any convex W):
   /// the sheet may shorten by wrinkles at no cost. Force continuous, tangent consistent and positive semidefinite.

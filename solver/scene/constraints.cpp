@@ -11,7 +11,7 @@
 #include "solver/scene/partition.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
-#include "solver/terms/skin_surface.hpp"
+#include "solver/terms/master_surface.hpp"
 
 namespace snug::solver {
 
@@ -28,13 +28,13 @@ void constrain_pressures(const mesh::BodyMesh& body, const Layout& layout, Const
   const std::vector<int> layer = pressure_unknowns(body).layer;
   for (std::size_t i = 0; i < layer.size(); ++i)
     if (!materials::is_split(materials::find_tissue(body.layers[layer[i]].material).law))
-      fix(constraints, layout.pressure(static_cast<int>(i)));
-  for (int i = 0; i < layout.cell_fields; ++i) fix(constraints, layout.cell_field(i));
+      fix(constraints, layout["body pressure"](static_cast<int>(i)));
+  for (int i = 0; i < layout["body cells"].count; ++i) fix(constraints, layout["body cells"](i));
 }
 
 // Unit tangent of the skin at the foot point of x along the body's axis: the axis without its part along the normal. The axis
 // itself where x faces no skin.
-Eigen::Vector3d meridian(const SkinSurface& skin, const mesh::BodyMesh& body, const Eigen::Vector3d& x) {
+Eigen::Vector3d meridian(const MasterSurface& skin, const mesh::BodyMesh& body, const Eigen::Vector3d& x) {
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   const Site foot = skin.find(State{}, x);
   if (foot.facet < 0) return axis;
@@ -59,13 +59,13 @@ void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& 
   for (const auto& edge : held)
     if (edge.held == "all")
       for (const int node : garment.edges.at(edge.edge))
-        for (int c = 0; c < 3; ++c) fix(constraints, layout.garment(node, c));
+        for (int c = 0; c < 3; ++c) fix(constraints, layout["garment"](node, c));
   if (std::none_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "axis"; })) return;
-  const SkinSurface skin(layout, body, false);
+  const MasterSurface skin({}, body, body.skin_facets);
   for (const auto& edge : held)
     if (edge.held == "axis")
       for (const int node : garment.edges.at(edge.edge))
-        hold_along(meridian(skin, body, garment.placed[node]), layout.garment(node), constraints);
+        hold_along(meridian(skin, body, garment.placed[node]), layout["garment"](node), constraints);
 }
 
 bool turns_freely(const input::GarmentSpec& spec) {
@@ -79,18 +79,18 @@ void constrain_garment(const input::Case& description, const mesh::BodyMesh& bod
   hold_edges(held, body, garment, layout, constraints);
   if (turns_freely(*description.garment) && !has_friction(description)) {
     const TurnPin pin = turn_pin(garment);
-    fix(constraints, layout.garment(pin.node, pin.component));
+    fix(constraints, layout["garment"](pin.node, pin.component));
   }
   if (garment.order == 1)
     for (const auto& triangle : garment.triangles)
       for (int k = 3; k < 6; ++k)
-        for (int c = 0; c < 3; ++c) fix(constraints, layout.garment(garment.merged[triangle[k]], c));
+        for (int c = 0; c < 3; ++c) fix(constraints, layout["garment"](garment.merged[triangle[k]], c));
   for (std::size_t node = 0; node < garment.merged.size(); ++node) {
     if (garment.merged[node] == static_cast<int>(node)) continue;
     for (int c = 0; c < 3; ++c) {  // a seam: this side follows the other
-      const int entry = layout.garment(static_cast<int>(node), c);
+      const int entry = layout["garment"](static_cast<int>(node), c);
       constraints.add_line(entry);
-      constraints.add_entry(entry, layout.garment(garment.merged[node], c), 1.0);
+      constraints.add_entry(entry, layout["garment"](garment.merged[node], c), 1.0);
     }
   }
 }
@@ -120,17 +120,35 @@ TurnPin turn_pin(const mesh::GarmentMesh& garment) {
   return {seam, std::abs(arm.x()) > std::abs(arm.y()) ? 1 : 0};
 }
 
+void add_positions(Layout& layout, const std::string& part, const mesh::BodyMesh& mesh) {
+  layout.add({.name = part, .count = static_cast<int>(mesh.nodes.size()), .components = 3});
+}
+
+void add_pressures(Layout& layout, const std::string& part, const mesh::BodyMesh& mesh) {
+  const int unknowns = static_cast<int>(pressure_unknowns(mesh).layer.size());
+  const int fields = 2 * pressure_modes(mesh.kind) * static_cast<int>(mesh.cells.size());
+  if (unknowns > 0) layout.add({.name = part + " pressure", .rows = Rows::constraint, .count = unknowns});
+  if (fields > 0) layout.add({.name = part + " cells", .rows = Rows::cell, .count = fields});
+}
+
+void add_multipliers(Layout& layout, const std::string& interface, int vertices) {
+  layout.add({.name = interface, .rows = Rows::constraint, .count = vertices, .non_negative = true});
+}
+
+Tissue::Fields body_fields(const Layout& layout, const std::string& part) {
+  return {layout[part], layout[part + " pressure"], layout[part + " cells"]};
+}
+
 Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact) {
   Layout layout;
-  layout.body_nodes = deformable ? static_cast<int>(body.nodes.size()) : 0;
-  if (deformable) layout.pressures = static_cast<int>(pressure_unknowns(body).layer.size());
-  if (deformable) layout.cell_fields = 2 * pressure_modes(body.kind) * static_cast<int>(body.cells.size());
-  layout.garment_nodes = static_cast<int>(garment.pattern.size());
+  if (deformable) add_positions(layout, "body", body);
+  if (!garment.pattern.empty()) layout.add({.name = "garment", .count = static_cast<int>(garment.pattern.size()), .components = 3});
+  if (deformable) add_pressures(layout, "body", body);
   if (contact) {
     std::set<int> vertices;
     for (const auto& triangle : garment.triangles)
       for (int v = 0; v < 3; ++v) vertices.insert(garment.merged[triangle[v]]);
-    layout.multipliers = static_cast<int>(vertices.size());
+    add_multipliers(layout, "contact", static_cast<int>(vertices.size()));
   }
   return layout;
 }
@@ -140,11 +158,11 @@ bool slides_freely(const input::Case& description) { return description.garment 
 Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                          const Layout& layout, const Supports& supports) {
   Constraints constraints;
-  if (layout.body_nodes > 0) {
+  if (layout["body"].count > 0) {
     constrain_pressures(body, layout, constraints);
     for (const int entry : supports.entries()) fix(constraints, entry);
   }
-  if (layout.garment_nodes > 0) constrain_garment(description, body, garment, layout, constraints);
+  if (layout["garment"].count > 0) constrain_garment(description, body, garment, layout, constraints);
   constraints.close();
   std::vector<int> master(layout.size());
   Bound bound;
@@ -158,7 +176,7 @@ Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& b
       for (const auto& [entry, weight] : line) bound[i].push_back({static_cast<int>(entry), weight});
   }
   std::vector<int> vertex_node;  // in the order in which contact numbers its multipliers
-  if (layout.multipliers > 0) {
+  if (layout["contact"].count > 0) {
     std::vector<char> seen(garment.pattern.size(), 0);
     for (const auto& triangle : garment.triangles)
       for (int v = 0; v < 3; ++v)

@@ -8,14 +8,22 @@
 #include "mesh/garment/garment_mesh.hpp"
 #include "solver/algebra/numbering.hpp"
 #include "solver/algebra/state.hpp"
+#include "solver/algebra/layout.hpp"
 #include "solver/scene/supports.hpp"
+#include "solver/terms/tissue.hpp"
 
 namespace snug::solver {
 
-/// Entries of a scene. `deformable`: the body's nodes are part of the state.
-Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact);
+/// Adds the positions of a part, "PART" (one a node); its pressures, "PART pressure" (tetrahedra) or "PART cells" (dilatation
+/// less one, then pressure in Pa, cell by cell); the pressures of an interface (Pa per rest area of the slave, one a vertex).
+void add_positions(Layout& layout, const std::string& part, const mesh::BodyMesh& mesh);
+void add_pressures(Layout& layout, const std::string& part, const mesh::BodyMesh& mesh);
+void add_multipliers(Layout& layout, const std::string& interface, int vertices);
+/// What tissue stands on.
+Tissue::Fields body_fields(const Layout& layout, const std::string& part);
 
-/// True when the scene has friction between garment and skin.
+/// Fields of a scene. `deformable`: the body's nodes are part of the state.
+Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact);
 
 /// True when no edge of the garment is held: it can slide off.
 bool slides_freely(const input::Case& description);

@@ -32,14 +32,14 @@ void fill_balance(const Friction& friction, const State& state, bool deformable,
 }
 
 // Tractions of the vertices, per current area as the pressure is; mid-edge nodes get the mean of their edge.
-void fill_garment(const Contact& contact, const Layout& layout, const State& state, const Vertices& vertices,
+void fill_garment(const Contact& contact, const State& state, const Vertices& vertices,
                   const mesh::GarmentMesh& mesh, postproc::GarmentResult& garment) {
   garment.shear_traction.assign(mesh.pattern.size(), Eigen::Vector3d::Zero());
   garment.slip.assign(mesh.pattern.size(), 0.0);
   for (const auto& triangle : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
       const int node = triangle[k], i = contact.multiplier_of(mesh.merged[node]);
-      const double p = state.values[layout.multiplier(i)];
+      const double p = contact.pressure(state, i);
       const double per_current_area = p != 0.0 ? garment.contact_pressure[node] / p : 0.0;
       garment.shear_traction[node] = per_current_area * vertices[i].traction;
       garment.slip[node] = static_cast<double>(vertices[i].slip);
@@ -70,8 +70,8 @@ void fill_friction(const Scene& scene, const State& state, const mesh::GarmentMe
   const auto& contact = *scene.find<Contact>();
   const Vertices vertices = friction->vertex_tractions(state);
   fill_samples(*friction, contact, state, vertices, result.samples);
-  fill_balance(*friction, state, scene.layout().body_nodes > 0, result.balance);
-  fill_garment(contact, scene.layout(), state, vertices, garment, result.garment);
+  fill_balance(*friction, state, scene.layout()["body"].count > 0, result.balance);
+  fill_garment(contact, state, vertices, garment, result.garment);
   auto skin = postproc::transfer_shear(result.body.skin_facets, normal, result.samples);
   result.body.shear_traction = std::move(skin.traction);
   result.body.slip = std::move(skin.slip);

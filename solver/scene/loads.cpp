@@ -73,25 +73,25 @@ LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMes
 
 void add_loose_cloth(const input::Case& description, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric, Scene& scene) {
   const LooseCloth cloth = loose_cloth(*description.garment, mesh);
-  if (cloth.bending) scene.add(std::make_unique<FabricBending>(scene.layout(), mesh, fabric.bending));
+  if (cloth.bending) scene.add(std::make_unique<FabricBending>(scene.layout()["garment"], mesh, fabric.bending));
   if (!cloth.weight) return;
   const bool given = description.load && description.load->gravity != std::array<double, 3>{0, 0, 0};
   NodalForces forces(mesh.pattern.size(), Eigen::Vector3d::Zero());
   add_weight(mesh, fabric.areal_density, vector(given ? description.load->gravity : upright_gravity), forces);
-  scene.add(std::make_unique<DeadLoad>(scene.layout(), NodalForces(), forces));
+  scene.add(std::make_unique<DeadLoad>("weight of the garment", scene.layout()["garment"], forces));
 }
 
 void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {
   const auto press = [&](const std::string& name, const std::vector<mesh::FacetNodeNumbers>& facets, double pressure) {
-    auto term = std::make_unique<PressureLoad>(scene.layout(), body, name, facets, pressure);
+    auto term = std::make_unique<PressureLoad>(scene.layout()["body"], body, name, facets, pressure);
     term->hold_border(scene.numbering());
     scene.add(std::move(term));
   };
   for (const mesh::FacetPressure& p : body.pressures) press("faces of the file", p.facets, p.value);
   if (load.skin_pressure != 0.0) press("skin", body.skin_facets, load.skin_pressure);
   for (const auto& p : load.pressure) press(p.on, facets_of(body, p.on, p.where), p.value);
-  auto dead = std::make_unique<DeadLoad>(scene.layout(), dead_forces(load, body));
-  if (dead->entries().elements() > 0) scene.add(std::move(dead));
+  auto dead = std::make_unique<DeadLoad>("dead load", scene.layout()["body"], dead_forces(load, body));
+  if (!dead->empty()) scene.add(std::move(dead));
 }
 
 }  // namespace snug::solver

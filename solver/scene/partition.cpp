@@ -78,29 +78,29 @@ std::vector<int> entry_owners(const Layout& layout, const mesh::BodyMesh& body, 
   std::vector<int> owner(layout.size(), 0);
   if (ranks == 1) return owner;
   const auto triangles = sewn(garment);
-  std::vector<int> body_owner(layout.body_nodes, ranks - 1), garment_owner(layout.garment_nodes, ranks - 1);
+  std::vector<int> body_owner(layout["body"].count, ranks - 1), garment_owner(layout["garment"].count, ranks - 1);
   std::vector<int> triangle_rank;
-  if (layout.body_nodes > 0) {
+  if (layout["body"].count > 0) {
     if (!body.shell.empty()) {
       std::vector<std::array<int, 6>> shell(body.shell.size());
       for (std::size_t t = 0; t < shell.size(); ++t) std::copy_n(body.shell[t].nodes.begin(), 6, shell[t].begin());
-      lowest(shell, share_out(shell, layout.body_nodes, ranks), body_owner);
+      lowest(shell, share_out(shell, layout["body"].count, ranks), body_owner);
     }
-    const std::vector<int> cell_rank = share_out(body.cells, layout.body_nodes, ranks);
+    const std::vector<int> cell_rank = share_out(body.cells, layout["body"].count, ranks);
     lowest(body.cells, cell_rank, body_owner);
-    std::vector<int> pressure_owner(layout.pressures, ranks - 1);
+    std::vector<int> pressure_owner(layout["body pressure"].count, ranks - 1);
     lowest(pressure_unknowns(body).of_cell, cell_rank, pressure_owner);
-    for (int i = 0; i < layout.pressures; ++i) owner[layout.pressure(i)] = pressure_owner[i];
+    for (int i = 0; i < layout["body pressure"].count; ++i) owner[layout["body pressure"](i)] = pressure_owner[i];
     if (!garment.triangles.empty()) triangle_rank = triangle_ranks_by_facet(body, garment, facet_ranks(body, cell_rank));
   } else {
-    triangle_rank = share_out(triangles, layout.garment_nodes, ranks);
+    triangle_rank = share_out(triangles, layout["garment"].count, ranks);
   }
   lowest(triangles, triangle_rank, garment_owner);
-  for (int node = 0; node < layout.body_nodes; ++node)
-    for (int c = 0; c < 3; ++c) owner[layout.body(node, c)] = body_owner[node];
-  for (int node = 0; node < layout.garment_nodes; ++node)
-    for (int c = 0; c < 3; ++c) owner[layout.garment(node, c)] = garment_owner[node];
-  for (int i = 0; i < layout.multipliers; ++i) owner[layout.multiplier(i)] = garment_owner[node_of_multiplier[i]];
+  for (int node = 0; node < layout["body"].count; ++node)
+    for (int c = 0; c < 3; ++c) owner[layout["body"](node, c)] = body_owner[node];
+  for (int node = 0; node < layout["garment"].count; ++node)
+    for (int c = 0; c < 3; ++c) owner[layout["garment"](node, c)] = garment_owner[node];
+  for (int i = 0; i < layout["contact"].count; ++i) owner[layout["contact"](i)] = garment_owner[node_of_multiplier[i]];
   return owner;
 }
 

@@ -5,7 +5,7 @@
 
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/garment/garment_mesh.hpp"
-#include "solver/algebra/state.hpp"
+#include "solver/algebra/layout.hpp"
 
 namespace snug::solver {
 

@@ -30,13 +30,11 @@ void count_unknowns(const input::Case& description, const Meshes& meshes, bool d
   const Layout layout = make_layout(meshes.body, meshes.garment, deformable, contact);
   const Numbering numbering = make_numbering(description, meshes.body, meshes.garment, layout,
                                              Supports(description, meshes.body, layout));
-  const auto put = [&](const char* part, int begin, int end) {
+  const auto put = [&](const std::string& part, int begin, int end) {
     if (end > begin) plan.unknowns[part] = count(numbering, begin, end);
   };
-  put("body", 0, layout.garment(0));
-  put("garment", layout.garment(0), layout.pressure(0));
-  put("pressure", layout.pressure(0), layout.cell_field(0));
-  put("contact", layout.multiplier(0), layout.size());
+  for (const Field& field : layout.fields())
+    if (field.rows != Rows::cell) put(field.name == "body pressure" ? "pressure" : field.name, field.first, field.end());
 }
 
 void list_shell(const mesh::BodyMesh& body, Plan& plan) {

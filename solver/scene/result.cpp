@@ -79,7 +79,7 @@ void fill_garment(const FabricMembrane& fabric, const Layout& layout, const Stat
   result.triangles = mesh.triangles;
   result.edges = named_edges(mesh);
   for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
-    result.current.push_back(state.values.segment<3>(layout.garment(mesh.merged[node])));
+    result.current.push_back(state.values.segment<3>(layout["garment"](mesh.merged[node])));
   if (mesh.order == 1)
     for (const auto& triangle : mesh.triangles)
       for (int k = 0; k < 3; ++k)
@@ -97,7 +97,7 @@ void fill_garment(const FabricMembrane& fabric, const Layout& layout, const Stat
 }
 
 // Raw multipliers on the garment, per current area; mid-edge nodes get the mean of their edge.
-void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric, const Layout& layout, const State& state,
+void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric, const State& state,
                            const mesh::GarmentMesh& mesh, std::vector<double>& pressure) {
   std::vector<double> ratio(mesh.pattern.size(), 0.0), count(mesh.pattern.size(), 0.0);
   for (int t = 0; t < fabric.triangles(); ++t) {
@@ -106,7 +106,7 @@ void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric,
   }
   const auto at = [&](int node) {
     const int m = mesh.merged[node], i = contact.multiplier_of(m);
-    return i < 0 ? 0.0 : state.values[layout.multiplier(i)] * count[m] / ratio[m];
+    return i < 0 ? 0.0 : contact.pressure(state, i) * count[m] / ratio[m];
   };
   for (const auto& triangle : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
@@ -119,7 +119,7 @@ void fill_samples(const Contact& contact, const FabricMembrane& fabric, const St
                   std::vector<postproc::ContactSample>& samples) {
   samples = contact.samples(state);
   auto sample = samples.begin();
-  for (const auto& place : contact.places()) {
+  for (const auto& place : contact.places(state)) {
     if (sample->facet >= 0)
       sample->area = fabric.area_ratio(state, place.triangle, place.L) * place.weight * fabric.pattern_area(place.triangle);
     ++sample;
@@ -166,20 +166,20 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentM
   for (const auto& [name, held] : scene.supports().held()) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const auto& [node, component] : held)
-      answer(layout.body(node), residual[layout.body(node, component)] * Eigen::Vector3d::Unit(component), sum);
+      answer(layout["body"](node), residual[layout["body"](node, component)] * Eigen::Vector3d::Unit(component), sum);
     note(name, sum);
   }
   for (const auto& [name, nodes] : garment.edges) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : nodes) answer(layout.garment(node), hold_of(scene, residual, layout.garment(node)), sum);
+    for (const int node : nodes) answer(layout["garment"](node), hold_of(scene, residual, layout["garment"](node)), sum);
     note(name + " edge", sum);
   }
   const Eigen::VectorXd load = scene.load_forces(state);
-  for (int first = 0; first < layout.pressure(0); first += 3) {
+  for (int first = 0; first < layout.positions(); first += 3) {
     const Eigen::Vector3d force = load.segment<3>(first);
     balance.force_error += force;
     balance.moment_error += Eigen::Vector3d(state.values.segment<3>(first)).cross(force);
-    if (first >= layout.garment(0)) balance.garment_weight += force;
+    if (const Field& cloth = layout["garment"]; first >= cloth.first && first < cloth.end()) balance.garment_weight += force;
   }
 }
 
@@ -201,7 +201,7 @@ void fill_foundation(const Shell& shell, const State& state, const Layout& layou
   double total = 0.0;
   for (std::size_t node = 0; node < forces.size(); ++node) {
     sum += forces[node], total += forces[node].norm();
-    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout.body(static_cast<int>(node)))).cross(forces[node]);
+    balance.moment_error += Eigen::Vector3d(state.values.segment<3>(layout["body"](static_cast<int>(node)))).cross(forces[node]);
   }
   balance.force_error += sum;
   if (total > 0.0) balance.reactions["foundation"] = sum;
@@ -218,7 +218,7 @@ void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunR
         *std::max_element(result.body.contact_pressure.begin(), result.body.contact_pressure.end());
     result.numbers["contact_area_m2"] = area;
   }
-  if (scene.layout().body_nodes == 0) return;
+  if (scene.layout()["body"].count == 0) return;
   double sum = 0.0, weight = 0.0, largest = 0.0;
   const mesh::FacetKind kind = facet_kind(body.kind);
   for (const auto& facet : body.skin_facets) {
@@ -251,16 +251,16 @@ void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool de
 void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                  postproc::RunResult& result) {
   const Layout& layout = scene.layout();
-  for (int node = 0; node < layout.body_nodes; ++node)
-    result.body.displacement[node] = state.values.segment<3>(layout.body(node)) - body.nodes[node];
+  for (int node = 0; node < layout["body"].count; ++node)
+    result.body.displacement[node] = state.values.segment<3>(layout["body"](node)) - body.nodes[node];
   if (const auto* tissue = scene.find<Tissue>()) fill_stress(*tissue, state, result.body);
   if (const auto* shell = scene.find<Shell>()) fill_shell_stress(*shell, body, state, result.body);
   const auto* fabric = scene.find<FabricMembrane>();
   if (fabric) fill_garment(*fabric, layout, state, garment, result.garment);
   if (const auto* contact = scene.find<Contact>()) {
     fill_samples(*contact, *fabric, state, result.samples);
-    fill_garment_pressure(*contact, *fabric, layout, state, garment, result.garment.contact_pressure);
-    fill_contact_points(*contact, state, layout.body_nodes > 0, result);
+    fill_garment_pressure(*contact, *fabric, state, garment, result.garment.contact_pressure);
+    fill_contact_points(*contact, state, layout["body"].count > 0, result);
     std::vector<Eigen::Vector3d> current = result.body.nodes;
     for (std::size_t i = 0; i < current.size(); ++i) current[i] += result.body.displacement[i];
     const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);

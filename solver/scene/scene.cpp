@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "materials/laws/skin_membrane.hpp"
 #include "solver/algebra/communicator.hpp"
@@ -67,71 +68,87 @@ Scene::Scene(const Layout& layout, Numbering numbering, Supports supports)
       supports_(std::move(supports)),
       proximal_weights_(Eigen::VectorXd::Zero(layout.size())),
       force_row_(numbering_.unknowns(), 1) {
-  for (int i = layout.pressure(0); i < layout.size(); ++i)
+  for (int i = layout.positions(); i < layout.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) force_row_[unknown] = 0;
 }
 
 void Scene::add(std::unique_ptr<Term> term) {
+  term->damp(proximal_weights_);
   terms_.push_back(std::move(term));
-  built_ = false;
+  built_.clear();
 }
 
-void Scene::rebuild() {
+bool Scene::bends() const {
+  return std::any_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->bends(); });
+}
+
+bool Scene::renews_near_answer() const {
+  return std::any_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->renews_near_answer(); });
+}
+
+bool Scene::pattern_is_of(const State& state) const {
+  if (built_.size() != terms_.size()) return false;
+  for (std::size_t t = 0; t < terms_.size(); ++t)
+    if (&terms_[t]->entries(state) != built_[t]) return false;
+  return true;
+}
+
+void Scene::rebuild(const State& state) {
   const Stopwatch watch(costs_.pattern);
-  std::vector<const ElementEntries*> groups;
-  for (const auto& term : terms_) groups.push_back(&term->entries());
+  built_.clear();
+  for (const auto& term : terms_) built_.push_back(&term->entries(state));
+  built_of_ = state.history;
   const auto [first, end] = numbering_.owned(rank());
-  scatter_.build(numbering_, groups, first, end);
+  scatter_.build(numbering_, built_, first, end);
   const bool symmetric = std::all_of(terms_.begin(), terms_.end(), [](const auto& term) { return term->symmetric(); });
   solver_.reset(scatter_, numbering_.unknowns(), symmetric);
-  built_ = true;
 }
 
-void Scene::renew(const State& state) {
+void Scene::renew(State& state) {
   const Stopwatch watch(costs_.search);
   for (const auto& term : terms_) term->renew(state);
-  cut_ = state.values;
 }
 
-SceneMemory Scene::memory() const {
-  const Contact* contact = find<Contact>();
-  return contact ? SceneMemory{contact->active(), contact->coupled(), cut_} : SceneMemory{};
+void Scene::look(State& state) const {
+  if (!state.history.list().empty()) return;
+  for (const auto& term : terms_) term->renew(state);
+  for (const auto& term : terms_) term->update(state);
 }
 
-void Scene::recall(const SceneMemory& memory, const State& state) {
-  if (Contact* contact = find<Contact>()) contact->recall(memory.active, memory.coupled);
-  built_ = false;
-  State at = state;
-  if (memory.cut.size() == state.values.size()) at.values = memory.cut;
-  renew(at);
-  update(state);
+void Scene::restore(State& state) const {
+  for (const auto& term : terms_) term->restore(state);
 }
 
 void Scene::drop_matrix() {
   solver_ = {};
   scatter_ = {};
-  built_ = false;
+  built_.clear(), built_of_ = {};
 }
 
 void Scene::commit(State& state) const {
   for (const auto& term : terms_) term->commit(state);
 }
 
-void Scene::begin(State& state) const {
-  if (state.reference.size() == 0) commit(state);
-}
-
-void Scene::update(const State& state) {
-  bool changed = !built_;
+void Scene::update(State& state) {
   {
     const Stopwatch watch(costs_.search);
-    for (const auto& term : terms_) changed = term->update(state) || changed;
+    for (const auto& term : terms_) term->update(state);
   }
-  if (changed) rebuild();
+  if (!pattern_is_of(state)) rebuild(state);
+}
+
+State Scene::transfer(const State& from, const Layout& layout, State placed) const {
+  placed.load = from.load, placed.release = from.release;
+  for (const Field& to : layout_.fields())
+    if (const Field& source = layout[to.name]; source.size() == to.size())
+      placed.values.segment(to.first, to.size()) = from.values.segment(source.first, source.size());
+  for (const auto& term : terms_) term->carry(from, placed);
+  return placed;
 }
 
 bool Scene::assemble(const State& state, Tangent tangent) {
   const Stopwatch watch(costs_.assembly);
+  if (!pattern_is_of(state)) throw std::logic_error("the matrix is assembled at a state that the scene has not looked at");
   scatter_.zero();
   bool admissible = true;
   for (std::size_t t = 0; t < terms_.size() && admissible; ++t) {
@@ -143,14 +160,14 @@ bool Scene::assemble(const State& state, Tangent tangent) {
 
 int Scene::saddle_rows() const {
   int rows = 0;
-  for (int i = layout_.pressure(0); i < layout_.size(); ++i) rows += numbering_.unknown(i) >= 0;
+  for (int i = layout_.positions(); i < layout_.size(); ++i) rows += numbering_.unknown(i) >= 0;
   return rows;
 }
 
 Eigen::VectorXd Scene::full_residual(const State& state) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.size());
   for (const auto& term : terms_) {
-    VectorSink sink(term->entries(), sum);
+    VectorSink sink(term->entries(state), sum);
     term->assemble(state, Tangent::none, sink);
   }
   return sum;
@@ -160,7 +177,7 @@ Eigen::VectorXd Scene::load_forces(const State& state) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.size());
   for (const auto& term : terms_) {
     if (!term->is_load()) continue;
-    VectorSink sink(term->entries(), sum);
+    VectorSink sink(term->entries(state), sum);
     term->assemble(state, Tangent::none, sink);
   }
   return -sum;
@@ -175,7 +192,7 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   if (!step.isZero(0.0)) {
     Eigen::VectorXd product = Eigen::VectorXd::Zero(layout_.size());
     for (const auto& term : terms_) {
-      ProductSink sink(term->entries(), step, product);
+      ProductSink sink(term->entries(state), step, product);
       term->assemble(state, tangent, sink);
     }
     numbering_.fold(product);
@@ -240,7 +257,7 @@ double Scene::round_off(const State& state) const {
   return std::numeric_limits<double>::epsilon() * farthest(state) * std::sqrt(total);
 }
 
-double Scene::farthest(const State& state) const { return state.values.head(layout_.pressure(0)).cwiseAbs().maxCoeff(); }
+double Scene::farthest(const State& state) const { return state.values.head(layout_.positions()).cwiseAbs().maxCoeff(); }
 
 Measure Scene::measure(const State& state) const {
   Measure measure;
@@ -260,35 +277,13 @@ double Scene::step_bound(const State& state, const Eigen::VectorXd& step) const 
 
 namespace {
 
-double fabric_stiffness(const materials::Fabric& fabric) {
-  return std::max(fabric.warp.at(0.0).stiffness, fabric.weft.at(0.0).stiffness);
-}
-
-}  // namespace
-
-Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& garment, const materials::Fabric& fabric) {
-  const double stiffness = fabric_stiffness(fabric);
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(layout.size());
-  for (const auto& triangle : garment.triangles) {
-    const double area = flat_triangle(garment.pattern[triangle[0]], garment.pattern[triangle[1]],
-                                      garment.pattern[triangle[2]]).area;
-    for (const int node : triangle)
-      for (int c = 0; c < 3; ++c)
-        weights[layout.garment(garment.merged[node], c)] +=
-            area / 6.0 * stiffness / (garment.mean_edge * garment.mean_edge);
-  }
-  return weights;
-}
-
-namespace {
-
 // A garment that sticks gives way to its own tension by this fraction of what a triangle alone would.
 constexpr double sticking = 2.0;
 
 // Pressure per gap of the stiffest part that touches: computed, never a user's number.
 double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body,
                          Skin skin) {
-  double local = fabric_stiffness(fabric) / (garment.mean_edge * garment.mean_edge);
+  double local = fabric.stiffness() / (garment.mean_edge * garment.mean_edge);
   if (skin == Skin::deformable)
     for (const auto& layer : body.layers)
       local = std::max(local, 3.0 * materials::initial_shear_modulus(materials::find_tissue(layer.material).law) /
@@ -307,15 +302,15 @@ void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene&
   if (!body.shell.empty()) {
     std::vector<ShellElasticity> elasticity;
     for (const auto& layer : body.layers) elasticity.push_back(shell_elasticity(layer));
-    scene.add(std::make_unique<Shell>(scene.layout(), body, std::move(elasticity), description.body->where));
+    scene.add(std::make_unique<Shell>(scene.layout()["body"], body, std::move(elasticity), description.body->where));
     return add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
   }
   std::vector<materials::SolidLaw> laws;
   for (const auto& layer : body.layers) laws.push_back(materials::find_tissue(layer.material).law);
-  scene.add(std::make_unique<Tissue>(scene.layout(), body, std::move(laws)));
+  scene.add(std::make_unique<Tissue>("tissue", body_fields(scene.layout(), "body"), body, std::move(laws)));
   for (const auto& membrane : body.membranes)
     scene.add(std::make_unique<SkinMembraneTerm>(
-        scene.layout(), body,
+        scene.layout()["body"], body,
         materials::SkinMembrane{materials::find_membrane_tissue(membrane.material).law, membrane.thickness}));
   add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
 }
@@ -326,7 +321,7 @@ void check_balance(const Scene& scene, const mesh::BodyMesh& body, const mesh::G
   state.load = 1.0;
   const Eigen::VectorXd load = scene.load_forces(state);
   std::vector<Eigen::Vector3d> forces;
-  for (int node = 0; node < scene.layout().body_nodes; ++node) forces.push_back(load.segment<3>(scene.layout().body(node)));
+  for (int node = 0; node < scene.layout()["body"].count; ++node) forces.push_back(load.segment<3>(scene.layout()["body"](node)));
   check_balance(scene.supports(), body, forces, where);
 }
 
@@ -343,44 +338,27 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
   if (!scene.supports().free_parts().empty()) check_balance(scene, body, garment, description.body->where);
   if (!description.garment) return scene;
   const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
-  scene.add(std::make_unique<FabricMembrane>(layout, garment, fabric, prestretch));
-  scene.set_proximal_weights(proximal_weights(layout, garment, fabric));
+  const Field& position = layout["garment"];
+  scene.add(std::make_unique<FabricMembrane>(position, garment, fabric, prestretch));
   add_loose_cloth(description, garment, materials::with_usual_sheet(fabric), scene);
   if (contact)
-    scene.add(std::make_unique<Contact>(layout, garment_slave(layout, garment), body, deformable,
-                                        contact_stiffness(fabric, garment, body, skin),
-                                        description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
+    scene.add(std::make_unique<Contact>(
+        "contact", Interface{layout["contact"], garment_slave(position, garment), MasterSurface(layout["body"], body, body.skin_facets)},
+        contact_stiffness(fabric, garment, body, skin), description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
   if (const double coefficient = friction_choice(description).coefficient; coefficient > 0.0)
-    scene.add(std::make_unique<Friction>(layout, *scene.find<Contact>(), coefficient,
+    scene.add(std::make_unique<Friction>("friction", *scene.find<Contact>(), coefficient,
                                          Friction::usual_elastic_slip * garment.mean_edge,
-                                         sticking * fabric_stiffness(fabric) / (garment.mean_edge * garment.mean_edge)));
+                                         sticking * fabric.stiffness() / (garment.mean_edge * garment.mean_edge)));
   return scene;
 }
 
 State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment) {
   State state;
   state.values = Eigen::VectorXd::Zero(layout.size());
-  for (int node = 0; node < layout.body_nodes; ++node) state.values.segment<3>(layout.body(node)) = body.nodes[node];
-  for (int node = 0; node < layout.garment_nodes; ++node)
-    state.values.segment<3>(layout.garment(node)) = garment.placed[node];
+  for (int node = 0; node < layout["body"].count; ++node) state.values.segment<3>(layout["body"](node)) = body.nodes[node];
+  for (int node = 0; node < layout["garment"].count; ++node)
+    state.values.segment<3>(layout["garment"](node)) = garment.placed[node];
   return state;
-}
-
-State transfer(const State& state, const Layout& from, const Layout& to, const mesh::BodyMesh& body) {
-  State moved;
-  moved.load = state.load, moved.release = state.release;
-  moved.values = Eigen::VectorXd::Zero(to.size());
-  for (int node = 0; node < to.body_nodes; ++node)
-    moved.values.segment<3>(to.body(node)) =
-        from.body_nodes ? Eigen::Vector3d(state.values.segment<3>(from.body(node))) : body.nodes[node];
-  moved.values.segment(to.garment(0), 3 * to.garment_nodes) = state.values.segment(from.garment(0), 3 * from.garment_nodes);
-  if (from.pressures == to.pressures)
-    moved.values.segment(to.pressure(0), to.pressures) = state.values.segment(from.pressure(0), from.pressures);
-  if (from.cell_fields == to.cell_fields)
-    moved.values.segment(to.cell_field(0), to.cell_fields) = state.values.segment(from.cell_field(0), from.cell_fields);
-  moved.values.tail(to.multipliers) = state.values.tail(from.multipliers);
-  if (state.reference.size() > 0) moved.reference = moved.values, moved.traction = state.traction;
-  return moved;
 }
 
 }  // namespace snug::solver

@@ -16,16 +16,8 @@
 
 namespace snug::solver {
 
-/// What a scene remembers beside its state: the active set of contact, one flag a vertex, the facets that each triangle couples
-/// (they make the pattern of the matrix, and so the last bits of its solutions), and the values at which the quadrature was cut.
-/// Empty without contact.
-struct SceneMemory {
-  std::vector<char> active = {};
-  std::vector<std::vector<int>> coupled = {};
-  Eigen::VectorXd cut = {};
-};
-
-/// Terms, numbering and the matrix they share. Use `make_scene`.
+/// Terms, numbering and the matrix they share. Use `make_scene`. What changes is in the state; what is here of it (pattern,
+/// matrix, factor) is that of the state that `update` saw last.
 class Scene {
  public:
   Scene(const Layout& layout, Numbering numbering, Supports supports = {});
@@ -44,15 +36,18 @@ class Scene {
   }
 
   /// Before an increment: terms renew what stands still during its iterations.
-  void renew(const State& state);
-  /// Terms write their history into an accepted state; `begin` gives a history to a state that has none.
+  void renew(State& state);
+  /// Terms take an accepted state for the one that their history starts from.
   void commit(State& state) const;
-  void begin(State& state) const;
-  SceneMemory memory() const;
-  /// The scene as it was when it looked at the state last and had this memory.
-  void recall(const SceneMemory& memory, const State& state);
-  /// Lets every term look at the state; the sparsity pattern follows when one asks for it.
-  void update(const State& state);
+  /// Lets every term look at the state; the sparsity pattern follows where what they couple has changed.
+  void update(State& state);
+  /// Gives a state that no term has seen its histories, without a pattern; leaves others as they are.
+  void look(State& state) const;
+  /// The state's histories as they were stored in a file (state.hpp). Throws std::runtime_error when they are of another scene.
+  void restore(State& state) const;
+  /// What of another scene's state this one shares: fields of the same name and size, and the histories that its terms take
+  /// over; the rest is that of `placed`.
+  State transfer(const State& from, const Layout& layout, State placed) const;
   /// Residual and tangent of all terms into the matrix. False: inadmissible state.
   bool assemble(const State& state, Tangent tangent);
   /// Residual on every entry, prescribed ones included (where it is minus the support's force).
@@ -67,7 +62,6 @@ class Scene {
   bool respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step);
   /// Gives the memory of matrix and factor back; the next update builds them anew.
   void drop_matrix();
-  /// Times and counts since the scene was made.
   /// What was spent since the last call.
   Costs take_costs() { return std::exchange(costs_, {}); }
 
@@ -86,11 +80,17 @@ class Scene {
   double farthest(const State& state) const;
   Measure measure(const State& state) const;
   double step_bound(const State& state, const Eigen::VectorXd& step) const;
-  /// Diagonal weights (N/m), one a state entry, of the proximal term: garment membrane stiffness of the nodes.
-  void set_proximal_weights(Eigen::VectorXd weights) { proximal_weights_ = std::move(weights); }
+  /// Adds weights (N/m, one a state entry) to the proximal term beside those of the terms.
+  void damp(const Eigen::VectorXd& weights) { proximal_weights_ += weights; }
+
+  /// What Newton's method has to know of the terms together (term.hpp).
+  bool damped() const { return !proximal_weights_.isZero(0.0); }
+  bool bends() const;
+  bool renews_near_answer() const;
 
  private:
-  void rebuild();
+  bool pattern_is_of(const State& state) const;
+  void rebuild(const State& state);
   double force_norm(const Eigen::VectorXd& rows) const;
 
   Layout layout_;
@@ -102,12 +102,9 @@ class Scene {
   Eigen::VectorXd proximal_weights_;
   std::vector<char> force_row_;  ///< one an unknown: a force balance (and no gap)
   Costs costs_;
-  Eigen::VectorXd cut_;              ///< values at the last `renew`
-  bool built_ = false;
+  std::vector<const ElementEntries*> built_;  ///< what the pattern was built of, one a term; empty: not built
+  Histories built_of_;                        ///< keeps them alive
 };
-
-/// Weights of the proximal term: membrane stiffness over edge length squared times the area of the node, N/m.
-Eigen::VectorXd proximal_weights(const Layout& layout, const mesh::GarmentMesh& garment, const materials::Fabric& fabric);
 
 /// Which bodies of the tiers take part.
 enum class Skin { rigid, deformable };
@@ -119,8 +116,5 @@ Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, con
 
 /// The strain-free start: body at rest, garment as placed, no contact pressure, s = 0.
 State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment);
-
-/// The same garment and contact on another layout (from the rigid to the deformable body).
-State transfer(const State& state, const Layout& from, const Layout& to, const mesh::BodyMesh& body);
 
 }  // namespace snug::solver

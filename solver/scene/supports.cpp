@@ -24,8 +24,8 @@ bool held_by_garment(const input::Case& description) {
                      [](const auto& edge) { return edge.held == "all"; });
 }
 
-Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, const Layout& layout) : layout_(layout) {
-  if (layout.body_nodes == 0 || !description.body) return;
+Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]) {
+  if (body_.count == 0 || !description.body) return;
   reference_ = body.nodes;
   const auto fix = [&](const std::string& name, const std::vector<int>& nodes, int first) {
     held_.emplace_back(name, std::vector<Held>());
@@ -44,19 +44,19 @@ Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, c
 
 void Supports::hold_free_motions(const mesh::BodyMesh& body) {
   std::set<NodeComponent> held;
-  for (const int entry : prescribed_) held.emplace(entry / 3, entry % 3);  // the body's nodes come first in the state
+  for (const int entry : prescribed_) held.emplace((entry - body_.first) / 3, (entry - body_.first) % 3);
   free_ = solver::free_parts(body, held);
   for (const FreePart& part : free_) {
     held_.emplace_back("free motions of " + part.name, std::vector<Held>());
     for (const auto& [node, component] : determinate_supports(part, body)) {
       prescribe(node, component);
-      free_entries_.push_back(layout_.body(node, component));
+      free_entries_.push_back(body_(node, component));
     }
   }
 }
 
 void Supports::prescribe(int node, int component) {
-  if (prescribed_.insert(layout_.body(node, component)).second) held_.back().second.push_back({node, component});
+  if (prescribed_.insert(body_(node, component)).second) held_.back().second.push_back({node, component});
 }
 
 void Supports::hold(const std::vector<mesh::HeldComponent>& held) {
@@ -118,7 +118,7 @@ Eigen::VectorXd Supports::gap(const State& state) const {
       if (moving.turn != 0.0)
         target.head<2>() += turn * (reference_[node].head<2>() - moving.middle) - (reference_[node].head<2>() - moving.middle);
       for (int c = 0; c < 3; ++c)
-        if (moving.held[c]) gap[layout_.body(node, c)] = target[c] - state.values[layout_.body(node, c)];
+        if (moving.held[c]) gap[body_(node, c)] = target[c] - state.values[body_(node, c)];
     }
   }
   return gap;

@@ -7,6 +7,7 @@
 
 #include "cases/input/case.hpp"
 #include "mesh/body/body_mesh.hpp"
+#include "solver/algebra/layout.hpp"
 #include "solver/algebra/state.hpp"
 #include "solver/scene/rigid_motions.hpp"
 
@@ -53,7 +54,7 @@ class Supports {
   void hold(const mesh::BodyMesh& body, const input::SupportSpec& spec);
   void hold_free_motions(const mesh::BodyMesh& body);
 
-  Layout layout_;
+  Field body_;
   std::vector<Eigen::Vector3d> reference_;
   std::set<int> prescribed_;       ///< entries
   std::vector<Moving> moving_;

@@ -47,7 +47,7 @@ class Curve {
   }
 
  private:
-  Eigen::VectorXd positions(const Eigen::VectorXd& values) const { return values.head(scene_.layout().pressure(0)); }
+  Eigen::VectorXd positions(const Eigen::VectorXd& values) const { return values.head(scene_.layout().positions()); }
 
   /// Keeps the load over the arc, and finds where it falls for the first time.
   void note() {
@@ -206,7 +206,6 @@ LoadedPath follow_load(Scene& scene, const State& placed, bool along_curve, cons
     path.message = fmt::format("the load has a largest value there, {:.5g} of the whole, and falls beyond it", *curve.limit_load);
   else
     path.message = curve.path.message;
-  if (!path.complete) scene.renew(path.state), scene.update(path.state);
   return loaded;
 }
 

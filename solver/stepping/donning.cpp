@@ -46,7 +46,8 @@ Push push(const Scene& sticking, const State& state) {
   double along = 0.0, sum = 0.0;
   for (const auto& point : sticking.find<Contact>()->point_forces(state)) along += point.force.z(), sum += point.force.norm();
   const Eigen::VectorXd load = sticking.load_forces(state);  // the garment's weight; on the rigid skin nothing else is loaded
-  for (int z = sticking.layout().garment(0, 2); z < sticking.layout().pressure(0); z += 3) along += load[z];
+  const Field& garment = sticking.layout()["garment"];
+  for (int node = 0; node < garment.count; ++node) along += load[garment(node, 2)];
   return push(-along, sum);
 }
 

@@ -8,20 +8,20 @@
 #include <vector>
 
 #include "postproc/result.hpp"
-#include "solver/scene/scene.hpp"
+#include "solver/algebra/state.hpp"
 
 namespace snug::solver {
 
-/// A path (load_path.hpp) as far as it has come: its last two accepted states, the next step and the rows of its iterations.
+/// A path (load_path.hpp) as far as it has come: its last accepted state and the values of the one before, the next step and the rows of its iterations.
 struct PathRecord {
-  State state = {}, before = {};
+  State state = {};
+  Eigen::VectorXd before = {};  ///< values of the accepted state before
   double reached = 0.0, span = 0.0, step = 1.0;
   int increments = 0;
   int lost = 0;                 ///< iterations of increments that failed
   bool ended = false, complete = false;
   std::string message = {};
   std::vector<postproc::Iteration> rows = {};
-  SceneMemory memory = {};      ///< of its scene in `state`
 };
 
 /// The paths of a run in the order in which it walks them. Nothing in a run depends on chance or time, so a run that goes on

@@ -29,8 +29,9 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
 State predict(const PathRecord& at, double step, const Layout& layout) {
   State guess = at.state;
   if (at.span <= 0.0) return guess;
-  guess.values += std::min(step / at.span, 2.0) * (at.state.values - at.before.values);
-  guess.values.tail(layout.multipliers) = guess.values.tail(layout.multipliers).cwiseMax(0.0);
+  guess.values += std::min(step / at.span, 2.0) * (at.state.values - at.before);
+  for (const Field& field : layout.fields())
+    if (field.non_negative) guess.values.segment(field.first, field.size()) = guess.values.segment(field.first, field.size()).cwiseMax(0.0);
   return guess;
 }
 
@@ -44,8 +45,7 @@ class Walk {
         recall(std::move(*known));
         return;
       }
-    scene.begin(start);
-    at_.state = start, at_.before = std::move(start);
+    at_.before = start.values, at_.state = std::move(start);
     at_.step = std::min(settings.first_step, settings.longest_step);
   }
 
@@ -57,7 +57,7 @@ class Walk {
       const Outcome outcome = increment(trial, t);
       if (outcome == Outcome::stopped) return stop();
       outcome == Outcome::converged ? accept(std::move(trial), t) : fail(outcome);
-      if (settings_.journal && (at_.ended || outcome == Outcome::converged)) note();
+      if (settings_.journal && (at_.ended || outcome == Outcome::converged)) settings_.journal->note(at_);
     }
     return result();
   }
@@ -66,13 +66,10 @@ class Walk {
   void recall(PathRecord known) {
     at_ = std::move(known);
     for (const postproc::Iteration& row : at_.rows) sink_(row);
-    scene_.recall(at_.memory, at_.state);
+    scene_.restore(at_.state);
+    scene_.update(at_.state);
   }
 
-  void note() {
-    at_.memory = scene_.memory();
-    settings_.journal->note(at_);
-  }
 
   Outcome increment(State& trial, double t) {
     const bool last = t > 1.0 - 1e-12 && !settings_.leads_on;
@@ -88,7 +85,7 @@ class Walk {
 
   void accept(State trial, double t) {
     scene_.commit(trial);
-    at_.before = std::exchange(at_.state, std::move(trial));
+    at_.before = std::exchange(at_.state, std::move(trial)).values;
     at_.span = t - at_.reached;
     at_.reached = t;
     ++at_.increments;
@@ -106,7 +103,6 @@ class Walk {
     at_.lost += iterations_;
     if (++failures_ > settings_.failures || at_.step < settings_.smallest_step || at_.lost > settings_.lost_iterations) {
       at_.ended = true;
-      look_back();
     } else {
       at_.step *= 0.5;
     }
@@ -116,14 +112,7 @@ class Walk {
     at_.message = to_string(Outcome::stopped);
     at_.lost += iterations_;
     if (settings_.journal) settings_.journal->stop();
-    look_back();
     return result();
-  }
-
-  /// Terms look at the state that is returned, not at the failed one.
-  void look_back() {
-    scene_.renew(at_.state);
-    scene_.update(at_.state);
   }
 
   PathResult result() const { return {at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.message}; }

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "solver/terms/fabric_bending.hpp"
-#include "solver/terms/shell.hpp"
-
 namespace snug::solver {
 
 std::string to_string(Outcome outcome) {
@@ -28,7 +25,8 @@ namespace {
 bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fraction) {
   const State start = state;
   for (int halving = 0; halving < 10; ++halving, fraction *= 0.5) {
-    state.values = start.values + fraction * step;
+    state = start;
+    state.values += fraction * step;
     scene.update(state);
     if (scene.assemble(state, Tangent::full)) return true;
   }
@@ -44,7 +42,7 @@ bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fract
 // inadmissible states.
 bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double round_off, double& fraction) {
   const State start = state;
-  const Eigen::Index dual = step.size() - scene.layout().pressure(0);
+  const Eigen::Index dual = step.size() - scene.layout().positions();
   Eigen::VectorXd positions = step;
   positions.tail(dual).setZero();
   state.values.tail(dual) += step.tail(dual);
@@ -55,7 +53,8 @@ bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double rou
   bool admissible = false, there = false;
   for (int cut = 0; cut < 20 && !there; ++cut) {
     const Tangent tangent = cut == 0 ? Tangent::full : Tangent::none;  // the whole step is good most times
-    state.values = ahead.values + fraction * positions;
+    state = ahead;
+    state.values += fraction * positions;
     scene.update(state);
     admissible = scene.assemble(state, tangent);
     if (!admissible) {
@@ -177,11 +176,9 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   State last = state;
   double before = std::numeric_limits<double>::max(), condensed_before = before, boost = 1.0;
   Stationary known = Stationary::unknown;
-  bool in_place = true, cut = !settings.recut || !scene.find<Contact>();
-  const bool bends = scene.find<Tissue>() || scene.find<Shell>() || scene.find<FabricBending>();
-  const bool downhill = !bends;
-  const bool contact = scene.saddle_rows() > 0;
-  const bool damped = (bends || contact) && scene.layout().garment_nodes > 0;  // a body alone has no proximal term: its step would be the same
+  bool in_place = true, cut = !settings.recut || !scene.renews_near_answer();
+  const bool downhill = !scene.bends(), constrained = scene.saddle_rows() > 0;
+  const bool damped = (scene.bends() || constrained) && scene.damped();  // without a proximal term a step would be the same again
   for (int iteration = 0;; ++iteration) {
     Check now = check(scene, state, settings);
     if (!cut && now.residual < near && now.measure.changed == 0) {
@@ -198,7 +195,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
     if (settings.stop && settings.stop()) return Outcome::stopped;
-    if (patience.lost(now, iteration, downhill && !contact && row.step >= long_stride)) return Outcome::no_progress;
+    if (patience.lost(now, iteration, downhill && !constrained && row.step >= long_stride)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
     if (iteration >= most) return Outcome::too_many_iterations;
     const bool settled = iteration > 0 && now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;

@@ -140,7 +140,9 @@ class Run {
     if (kept_.steps == 0) return;
     postproc::RunResult shot;
     shot.body = body_result(meshes_.body, result_.tier == "L4");
-    fill_result(scene, state, meshes_.body, meshes_.garment, shot);
+    State seen = state;
+    scene.look(seen);
+    fill_result(scene, seen, meshes_.body, meshes_.garment, shot);
     kept_.keep(way, shot);
   }
 
@@ -232,7 +234,7 @@ class Run {
   void let_go_on_body(const Scene& rigid, const State& on_rigid) {
     Scene scene = make_scene(worn_, meshes_.body, meshes_.garment, Skin::deformable);
     log_.phase("set-up");
-    const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    const State start = scene.transfer(on_rigid, rigid.layout(), placed_state(scene.layout(), meshes_.body, meshes_.garment));
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
     const PathResult path = release(scene, start, give, on_the_way(Skin::deformable));
     if (accept(scene, path, "releasing the body")) return let_go(scene, path.state, Skin::deformable, push(rigid, on_rigid));
@@ -256,8 +258,8 @@ class Run {
   void without_any(Scene& scene, const State& rough, Skin skin) {
     const PathResult faint = follow_path(scene, rough, fading(), on_the_way(skin), log_.sink("friction fades"));
     Scene smooth = make_scene(case_, meshes_.body, meshes_.garment, skin);
-    PathResult path{.state = faint.state};
-    path.state.reference.resize(0), path.state.traction.resize(0), path.state.release = 1.0;
+    PathResult path{.state = smooth.transfer(faint.state, scene.layout(), placed_state(smooth.layout(), meshes_.body, meshes_.garment))};
+    path.state.release = 1.0;
     if (accept(scene, faint, "fading friction"))
       path = follow_path(smooth, path.state, tightening(1.0, 1.0), in_one_step(settings(skin)), log_.sink("without friction"));
     if (path.complete && accept(smooth, path, "without friction")) {
@@ -304,7 +306,7 @@ class Run {
     Scene scene = make_scene(case_, meshes_.body, meshes_.garment, Skin::deformable);
     log_.phase("set-up");
     const double give = softest_shear_modulus(meshes_.body) / rigid.measure(on_rigid).reference_pressure;
-    const State start = transfer(on_rigid, rigid.layout(), scene.layout(), meshes_.body);
+    const State start = scene.transfer(on_rigid, rigid.layout(), placed_state(scene.layout(), meshes_.body, meshes_.garment));
     PathSettings path = settings(Skin::deformable);
     if (!slides_freely(case_)) path = with_another_way(path);
     const PathResult released = release(scene, start, give, path);

@@ -14,31 +14,31 @@ constexpr double share_of_worst = 0.3;
 }  // namespace
 
 void ActiveSet::begin() {
-  fewest_wrong_ = static_cast<int>(flags_.size()) + 1;
-  waited_ = 0;
+  memory_.fewest_wrong = static_cast<int>(memory_.flags.size()) + 1;
+  memory_.waited = 0;
 }
 
 void ActiveSet::follow(const std::vector<double>& trials) {
   std::vector<int> wrong;
   double worst = 0.0;
-  for (std::size_t i = 0; i < flags_.size(); ++i) {
-    if ((trials[i] > 0.0) == (flags_[i] != 0)) continue;
+  for (std::size_t i = 0; i < memory_.flags.size(); ++i) {
+    if ((trials[i] > 0.0) == (memory_.flags[i] != 0)) continue;
     wrong.push_back(static_cast<int>(i));
     worst = std::max(worst, std::abs(trials[i]));
   }
-  changed_ = static_cast<int>(wrong.size());
-  if (changed_ == 0) begin();
-  if (changed_ < fewest_wrong_) {
-    fewest_wrong_ = changed_;
-    waited_ = 0;
+  memory_.changed = static_cast<int>(wrong.size());
+  if (memory_.changed == 0) begin();
+  if (memory_.changed < memory_.fewest_wrong) {
+    memory_.fewest_wrong = memory_.changed;
+    memory_.waited = 0;
   } else {
-    ++waited_;
+    ++memory_.waited;
   }
-  if (waited_ > most_patience_with_worst)
+  if (memory_.waited > most_patience_with_worst)
     wrong = {wrong.back()};
-  else if (waited_ > most_patience)
+  else if (memory_.waited > most_patience)
     std::erase_if(wrong, [&](int i) { return std::abs(trials[i]) < share_of_worst * worst; });
-  for (const int i : wrong) flags_[i] = !flags_[i];
+  for (const int i : wrong) memory_.flags[i] = !memory_.flags[i];
 }
 
 }  // namespace snug::solver

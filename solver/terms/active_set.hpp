@@ -1,6 +1,7 @@
 // Which vertices are in contact: the active set of a semismooth Newton method.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 namespace snug::solver {
@@ -13,24 +14,28 @@ namespace snug::solver {
 /// and its Applications 7 (1974)).
 class ActiveSet {
  public:
-  explicit ActiveSet(int vertices) : flags_(vertices, 0) {}
+  explicit ActiveSet(int vertices) : memory_{std::vector<char>(vertices, 0)} {}
 
   /// Before an increment: the count of the vertices on the wrong side starts anew.
   void begin();
   /// Changes towards the trials of an iterate, one a vertex: positive in contact; any unit, the same for all.
   void follow(const std::vector<double>& trials);
 
-  /// As it was left by a `follow`; one flag a vertex.
-  void set(const std::vector<char>& flags) { flags_ = flags; }
+  /// All that it goes by: one flag a vertex and the counts of `follow`.
+  struct Memory {
+    std::vector<char> flags = {};
+    int changed = 0, fewest_wrong = 0, waited = 0;
+  };
+  const Memory& memory() const { return memory_; }
+  explicit ActiveSet(Memory memory) : memory_(std::move(memory)) {}
 
-  bool operator[](int vertex) const { return flags_[vertex]; }
-  const std::vector<char>& flags() const { return flags_; }
+  bool operator[](int vertex) const { return memory_.flags[vertex]; }
+  const std::vector<char>& flags() const { return memory_.flags; }
   /// Vertices on the wrong side at the last decision.
-  int changed() const { return changed_; }
+  int changed() const { return memory_.changed; }
 
  private:
-  std::vector<char> flags_;
-  int changed_ = 0, fewest_wrong_ = 0, waited_ = 0;
+  Memory memory_;
 };
 
 }  // namespace snug::solver

@@ -17,17 +17,13 @@ int parts(double slave_edge, double skin_cell) {
 
 }  // namespace
 
-Contact::Contact(const Layout& layout, ContactSlave slave, const mesh::BodyMesh& body, bool deformable, double stiffness,
-                 GapBasis basis)
-    : layout_(layout), slave_(std::move(slave)), skin_(layout, body, deformable),
-      fallback_parts_(parts(slave_.mean_edge, body.mean_skin_cell)), skin_nodes_(static_cast<int>(body.nodes.size())),
-      basis_(basis), stiffness_(stiffness), reach_(5.0 * body.mean_skin_cell), step_limit_(0.5 * slave_.mean_edge),
-      elements_(slave_.triangles.size()), share_(vertices(), 0.0), weighted_gap_(vertices(), 0.0),
-      facing_area_(vertices(), 0.0), active_(vertices()) {
-  for (const auto& triangle : slave_.triangles)
+Contact::Contact(std::string name, Interface interface, double stiffness, GapBasis basis)
+    : name_(std::move(name)), interface_(std::move(interface)), basis_(basis), stiffness_(stiffness),
+      fallback_parts_(parts(interface_.slave.mean_edge, interface_.master.mean_edge())), reach_(5.0 * interface_.master.mean_edge()),
+      step_limit_(0.5 * interface_.slave.mean_edge), share_(vertices(), 0.0) {
+  for (const auto& triangle : interface_.slave.triangles)
     for (const int vertex : triangle.vertices) share_[vertex] += 1.0;
   for (double& share : share_) share = 1.0 / share;
-  rebuild_entries();
 }
 
 Eigen::Vector3d Contact::basis(const Eigen::Vector3d& L) const {
@@ -36,22 +32,16 @@ Eigen::Vector3d Contact::basis(const Eigen::Vector3d& L) const {
 
 TriangleNodes Contact::positions(const State& state, int triangle) const {
   TriangleNodes x;
-  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(slave_.triangles[triangle].entries[a]);
+  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(interface_.slave.triangles[triangle].entries[a]);
   return x;
-}
-
-int Contact::points() const {
-  int sum = 0;
-  for (const Element& element : elements_) sum += static_cast<int>(element.points.size());
-  return sum;
 }
 
 Contact::Gap Contact::gap(const State& state, const TriangleNodes& x, const ContactPoint& point) const {
   Gap gap;
   gap.x = x * point.N;
   if (point.site.facet < 0) return gap;
-  gap.shape = facet_shape(skin_.kind(), point.site.xi);
-  gap.at = facet_point(skin_.positions(state, point.site.facet), gap.shape);
+  gap.shape = facet_shape(interface_.master.kind(), point.site.xi);
+  gap.at = facet_point(interface_.master.positions(state, point.site.facet), gap.shape);
   gap.value = (gap.x - gap.at.y).dot(gap.at.n);
   gap.facing = std::abs(gap.value) < reach_;
   return gap;
@@ -60,62 +50,65 @@ Contact::Gap Contact::gap(const State& state, const TriangleNodes& x, const Cont
 double Contact::pressure(const State& state, int triangle, const ContactPoint& point) const {
   const Eigen::Vector3d phi = basis(point.L);
   double p = 0.0;
-  for (int v = 0; v < 3; ++v) p += phi[v] * state.values[layout_.multiplier(slave_.triangles[triangle].vertices[v])];
+  for (int v = 0; v < 3; ++v) p += phi[v] * state.values[interface_.pressures(interface_.slave.triangles[triangle].vertices[v])];
   return p;
 }
 
-void Contact::weigh(const State& state) {
-  std::fill(weighted_gap_.begin(), weighted_gap_.end(), 0.0);
-  std::fill(facing_area_.begin(), facing_area_.end(), 0.0);
+void Contact::weigh(const State& state, ContactHistory& history) const {
+  history.weighted_gap.assign(vertices(), 0.0);
+  history.facing_area.assign(vertices(), 0.0);
   for (int e = 0; e < triangles(); ++e) {
     const TriangleNodes x = positions(state, e);
-    const auto& triangle = slave_.triangles[e];
-    for (const ContactPoint& point : elements_[e].points) {
+    const auto& triangle = interface_.slave.triangles[e];
+    for (const ContactPoint& point : history.elements[e].points) {
       const Gap g = gap(state, x, point);
       if (!g.facing) continue;
       const Eigen::Vector3d phi = basis(point.L);
       for (int v = 0; v < 3; ++v) {
-        weighted_gap_[triangle.vertices[v]] += point.weight * triangle.area * phi[v] * g.value;
-        facing_area_[triangle.vertices[v]] += point.weight * triangle.area * point.L[v];
+        history.weighted_gap[triangle.vertices[v]] += point.weight * triangle.area * phi[v] * g.value;
+        history.facing_area[triangle.vertices[v]] += point.weight * triangle.area * point.L[v];
       }
     }
   }
 }
 
-bool Contact::faces(int vertex) const { return facing_area_[vertex] > 0.05 * slave_.area[vertex]; }
-
-void Contact::decide(const State& state) {
-  std::vector<double> trials(vertices());
-  for (int i = 0; i < vertices(); ++i) {
-    const double trial = state.values[layout_.multiplier(i)] - stiffness_ * weighted_gap_[i] / slave_.area[i];
-    trials[i] = faces(i) ? trial : -std::abs(trial);
-  }
-  active_.follow(trials);
+bool Contact::faces(const ContactHistory& history, int vertex) const {
+  return history.facing_area[vertex] > 0.05 * rest_area(vertex);
 }
 
-bool Contact::update(const State& state) {
-  if (points() == 0) renew(state);
-  const bool moved = locate(state);
-  weigh(state);
-  decide(state);
-  return moved;
+void Contact::decide(const State& state, ContactHistory& history) const {
+  std::vector<double> trials(vertices());
+  for (int i = 0; i < vertices(); ++i) {
+    const double trial = pressure(state, i) - stiffness_ * history.weighted_gap[i] / rest_area(i);
+    trials[i] = faces(history, i) ? trial : -std::abs(trial);
+  }
+  history.active.follow(trials);
+}
+
+void Contact::update(State& state) const {
+  if (!state.history.has(name_)) renew(state);
+  ContactHistory& history = edit(state);
+  locate(state, history);
+  weigh(state, history);
+  decide(state, history);
 }
 
 void Contact::measure(const State& state, Measure& measure) const {
+  const ContactHistory& now = history(state);
   double sum = 0.0;
   for (int i = 0; i < vertices(); ++i) {
-    const double p = state.values[layout_.multiplier(i)], g = weighted_gap_[i] / slave_.area[i];
-    if (active_[i]) {
+    const double p = pressure(state, i), g = now.weighted_gap[i] / rest_area(i);
+    if (now.active[i]) {
       sum += p;
       ++measure.active;
       measure.penetration = std::max(measure.penetration, std::abs(g));
       measure.complementarity = std::max(measure.complementarity, -p);
     } else {
       measure.complementarity = std::max(measure.complementarity, std::abs(p));
-      if (faces(i)) measure.penetration = std::max(measure.penetration, -g);
+      if (faces(now, i)) measure.penetration = std::max(measure.penetration, -g);
     }
   }
-  measure.changed += active_.changed();
+  measure.changed += now.active.changed();
   if (measure.active > 0) measure.reference_pressure = std::max(measure.reference_pressure, sum / measure.active);
   for (const PointForce& force : point_forces(state)) measure.contact_force += force.force.norm();
 }

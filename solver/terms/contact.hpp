@@ -1,7 +1,9 @@
-// Frictionless contact of a slave, garment or surface of a body, on the skin (master).
+// Frictionless contact of a slave, garment or surface of a body, on a master surface: an interface.
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "postproc/result.hpp"
@@ -14,11 +16,36 @@ namespace snug::solver {
 /// Test functions of the weighted gap on a triangle: hats L_i, or the dual functions 3 L_i - L_j - L_k.
 enum class GapBasis { hat, dual };
 
+/// A pair of surfaces and the field of the pressures between them, one a vertex of the slave.
+struct Interface {
+  Field pressures;
+  ContactSlave slave;
+  MasterSurface master;
+};
+
+/// What contact remembers: the active set, the points of its quadrature with the places where they meet the master, and the
+/// facets that each triangle couples (they make the pattern of the matrix).
+struct ContactHistory : public History {
+  explicit ContactHistory(int vertices = 0) : active(vertices) {}
+  void write(ByteWriter& writer) const override;
+
+  struct Element {
+    std::vector<int> facets = {};        ///< whose nodes the element couples
+    std::vector<int> master_nodes = {};  ///< those nodes
+    std::vector<ContactPoint> points = {};
+  };
+  std::vector<Element> elements;         ///< one a triangle of the slave
+  ActiveSet active;
+  std::vector<double> weighted_gap;      ///< g~_i, m3, at the state that was updated last
+  std::vector<double> facing_area;       ///< the part of A_i that faces the master, m2
+  std::shared_ptr<const ElementEntries> entries;
+};
+
 /// Multipliers p_i (Pa per rest area of the slave) stand on the slave's vertices. With points q of rest weight w_q,
 /// g_q = (x_q - y(xi_q)) . n_q and basis Phi_i,
 ///   weighted gap  g~_i = sum_q w_q Phi_i g_q,   A_i = sum_q w_q L_i,
 ///   trial  p_i - c_i g~_i / A_i > 0  <=>  vertex i is in contact (primal-dual active set, Hueeber & Wohlmuth 2005),
-///   force on the slave  sum_q w_q (sum_i Phi_i p_i) n_q, its opposite on the skin at y(xi_q).
+///   force on the slave  sum_q w_q (sum_i Phi_i p_i) n_q, its opposite on the master at y(xi_q).
 /// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / c_i, of the others: -eps_i p_i = 0.
 /// As p^old follows the iterate, eps_i regularises the step only (augmented Lagrangian updated every iteration): the
 /// matrix [K, -G^T; -G, -eps] is quasi-definite and the converged state has g~_i = 0 exactly.
@@ -27,28 +54,28 @@ enum class GapBasis { hat, dual };
 /// they lie then (facet_cut.hpp).
 class Contact : public Term {
  public:
-  /// The master is the skin of `body`. `stiffness` c (Pa/m) is computed by the scene from the parts' own stiffnesses.
-  Contact(const Layout& layout, ContactSlave slave, const mesh::BodyMesh& body, bool deformable, double stiffness,
-          GapBasis basis);
+  /// `stiffness` c (Pa/m) is computed by the scene from the parts' own stiffnesses.
+  Contact(std::string name, Interface interface, double stiffness, GapBasis basis);
 
-  std::string name() const override { return "contact"; }
-  const ElementEntries& entries() const override { return entries_; }
+  std::string name() const override { return name_; }
+  const ElementEntries& entries(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
-  bool update(const State& state) override;
-  void renew(const State& state) override;
   void measure(const State& state, Measure& measure) const override;
+  void update(State& state) const override;
+  void renew(State& state) const override;
+  void restore(State& state) const override;
+  bool renews_near_answer() const override { return true; }
 
-  int vertices() const { return slave_.vertices(); }
+  int vertices() const { return interface_.slave.vertices(); }
   /// Multiplier of a node of the slave's mesh, -1 where the node is no vertex.
-  int multiplier_of(int node) const { return slave_.vertex_of_node[node]; }
+  int multiplier_of(int node) const { return interface_.slave.vertex_of_node[node]; }
+  /// Pa, per rest area of the slave.
+  double pressure(const State& state, int vertex) const { return state.values[interface_.pressures(vertex)]; }
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
+  const ContactHistory& history(const State& state) const { return state.history.get<ContactHistory>(name_); }
   /// Active set as found by the last update, one flag a vertex.
-  const std::vector<char>& active() const { return active_.flags(); }
-  /// The facets that each triangle couples.
-  std::vector<std::vector<int>> coupled() const;
-  /// As a contact with these was left.
-  void recall(const std::vector<char>& active, const std::vector<std::vector<int>>& coupled);
+  const std::vector<char>& active(const State& state) const { return history(state).active.flags(); }
   /// Quadrature points with their forces, in the order of `places`; `area` is filled by the caller, who knows the
   /// garment's stretch.
   std::vector<postproc::ContactSample> samples(const State& state) const;
@@ -57,10 +84,10 @@ class Contact : public Term {
   std::vector<PointForce> point_forces(const State& state) const;
   /// Where the quadrature points stand on the slave; `weight` is the fraction of the triangle's rest area.
   struct Place { int triangle; Eigen::Vector3d L; double weight; };
-  std::vector<Place> places() const;
+  std::vector<Place> places(const State& state) const;
 
-  /// A quadrature point that faces the skin, with what meets there in `state` (for friction). Entries of a triangle:
-  /// its six nodes, then `skin_nodes_of`, three components each, then its vertices' multipliers.
+  /// A quadrature point that faces the master, with what meets there in `state` (for friction). Entries of a triangle:
+  /// its six nodes, then those of its element's `master_nodes`, three components each, then its vertices' multipliers.
   struct Meeting {
     double weight = 0.0;             ///< rest area, m2
     Eigen::Vector3d L;
@@ -72,18 +99,13 @@ class Contact : public Term {
     FacetPoint at;
   };
   void meetings(const State& state, int triangle, std::vector<Meeting>& list) const;
-  int triangles() const { return static_cast<int>(elements_.size()); }
-  const std::array<int, 3>& vertices_of(int triangle) const { return slave_.triangles[triangle].vertices; }
-  const std::vector<int>& skin_nodes_of(int triangle) const { return elements_[triangle].skin_nodes; }
-  const SkinSurface& skin() const { return skin_; }
-  double rest_area(int vertex) const { return slave_.area[vertex]; }
+  int triangles() const { return static_cast<int>(interface_.slave.triangles.size()); }
+  const std::array<int, 3>& vertices_of(int triangle) const { return interface_.slave.triangles[triangle].vertices; }
+  const MasterSurface& master() const { return interface_.master; }
+  double rest_area(int vertex) const { return interface_.slave.area[vertex]; }
 
  private:
-  struct Element {
-    std::vector<int> facets;         ///< whose nodes the element couples
-    std::vector<int> skin_nodes;
-    std::vector<ContactPoint> points;
-  };
+  using Element = ContactHistory::Element;
   struct Slot;
   struct Gap {
     bool facing = false;
@@ -96,36 +118,30 @@ class Contact : public Term {
   TriangleNodes positions(const State& state, int triangle) const;
   Gap gap(const State& state, const TriangleNodes& x, const ContactPoint& point) const;
   double pressure(const State& state, int triangle, const ContactPoint& point) const;
-  int points() const;
-  bool locate(const State& state);
-  void couple(Element& element);
-  void couple(int facet, Element& element);
-  void rebuild_entries();
-  void weigh(const State& state);
-  bool faces(int vertex) const;
-  void decide(const State& state);
+  ContactHistory& edit(State& state) const;
+  void locate(const State& state, ContactHistory& history) const;
+  void couple(Element& element) const;
+  void couple(int facet, Element& element) const;
+  void rebuild_entries(ContactHistory& history) const;
+  void weigh(const State& state, ContactHistory& history) const;
+  bool faces(const ContactHistory& history, int vertex) const;
+  void decide(const State& state, ContactHistory& history) const;
   struct Patch;
-  void add_points(const State& state, int triangle, Tangent tangent, Slot& slot) const;
-  void add_point(const State& state, int triangle, const TriangleNodes& x, const ContactPoint& point,
+  void add_points(const State& state, const ContactHistory& history, int triangle, Tangent tangent, Slot& slot) const;
+  void add_point(const State& state, const ContactHistory& history, int triangle, const TriangleNodes& x, const ContactPoint& point,
                  Tangent tangent, Patch& patch) const;
-  void add_curvature(const ContactPoint& point, const Gap& gap, double force, bool skin_moves, Patch& patch) const;
+  void add_curvature(const ContactPoint& point, const Gap& gap, double force, bool master_moves, Patch& patch) const;
   void scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const;
-  void add_rows(const State& state, int triangle, bool tangent, Slot& slot) const;
+  void add_rows(const State& state, const ContactHistory& history, int triangle, bool tangent, Slot& slot) const;
 
-  Layout layout_;
-  ContactSlave slave_;
-  SkinSurface skin_;
-  int fallback_parts_, skin_nodes_;
+  std::string name_;
+  Interface interface_;
   GapBasis basis_;
   double stiffness_;
-  double reach_;                         ///< m, points farther from the skin face none
+  int fallback_parts_;
+  double reach_;                         ///< m, points farther from the master face none
   double step_limit_;                    ///< m, half an edge of the slave
-  std::vector<Element> elements_;        ///< one a triangle of the slave
   std::vector<double> share_;            ///< 1 / number of triangles at a vertex (its row is spread over them)
-  std::vector<double> weighted_gap_;     ///< g~_i at the last update, m3
-  std::vector<double> facing_area_;      ///< the part of A_i that faces the skin
-  ActiveSet active_;
-  ElementEntries entries_;
 };
 
 }  // namespace snug::solver

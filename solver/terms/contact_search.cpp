@@ -2,6 +2,7 @@
 #include "solver/terms/contact.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/terms/parallel.hpp"
 
@@ -15,92 +16,137 @@ constexpr double coupling_margin = 0.15;
 
 }  // namespace
 
-void Contact::couple(int facet, Element& element) {
+void Contact::couple(int facet, Element& element) const {
   if (facet < 0 || std::find(element.facets.begin(), element.facets.end(), facet) != element.facets.end()) return;
   element.facets.push_back(facet);
-  for (const int node : skin_.nodes_of(facet))
-    if (node >= 0 && std::find(element.skin_nodes.begin(), element.skin_nodes.end(), node) == element.skin_nodes.end())
-      element.skin_nodes.push_back(node);
+  for (const int node : master().nodes_of(facet))
+    if (node >= 0 && std::find(element.master_nodes.begin(), element.master_nodes.end(), node) == element.master_nodes.end())
+      element.master_nodes.push_back(node);
 }
 
-void Contact::couple(Element& element) {
+void Contact::couple(Element& element) const {
   element.facets.clear();
-  element.skin_nodes.clear();
+  element.master_nodes.clear();
   for (const ContactPoint& point : element.points) {
     const Site& site = point.site;
     if (site.facet < 0) continue;
     couple(site.facet, element);
-    const auto& next = skin_.neighbours(site.facet);
+    const auto& next = master().neighbours(site.facet);
     for (std::size_t edge = 0; edge < next.size(); ++edge)
-      if (beyond(skin_.domain(), static_cast<int>(edge), site.xi) > -coupling_margin) couple(next[edge], element);
+      if (beyond(master().domain(), static_cast<int>(edge), site.xi) > -coupling_margin) couple(next[edge], element);
   }
 }
 
-std::vector<std::vector<int>> Contact::coupled() const {
-  std::vector<std::vector<int>> facets;
-  for (const Element& element : elements_) facets.push_back(element.facets);
-  return facets;
-}
-
-void Contact::recall(const std::vector<char>& active, const std::vector<std::vector<int>>& coupled) {
-  active_.set(active);
-  for (std::size_t e = 0; e < coupled.size(); ++e)
-    for (const int facet : coupled[e]) couple(facet, elements_[e]);
-  rebuild_entries();
-}
-
-void Contact::rebuild_entries() {
-  entries_ = {};
+void Contact::rebuild_entries(ContactHistory& history) const {
+  auto all = std::make_shared<ElementEntries>();
   std::vector<int> entries;
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    const Element& element = elements_[e];
+  for (std::size_t e = 0; e < history.elements.size(); ++e) {
+    const Element& element = history.elements[e];
     entries.clear();
-    for (const int entry : slave_.triangles[e].entries)
+    for (const int entry : interface_.slave.triangles[e].entries)
       for (int c = 0; c < 3; ++c) entries.push_back(entry + c);
-    for (const int node : element.skin_nodes)
-      for (int c = 0; c < 3; ++c) entries.push_back(layout_.body(node, c));
-    for (const int vertex : slave_.triangles[e].vertices) entries.push_back(layout_.multiplier(vertex));
-    entries_.push(entries);
+    for (const int node : element.master_nodes)
+      for (int c = 0; c < 3; ++c) entries.push_back(master().entry(node, c));
+    for (const int vertex : interface_.slave.triangles[e].vertices) entries.push_back(interface_.pressures(vertex));
+    all->push(entries);
   }
+  history.entries = std::move(all);
 }
 
-void Contact::renew(const State& state) {
-  active_.begin();
-  const SkinNodes nodes = skin_nodes(skin_, state, skin_nodes_);
-  tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
-    Element& element = elements_[e];
+const ElementEntries& Contact::entries(const State& state) const { return *history(state).entries; }
+
+/// The state's own history, which begins with nothing coupled and nothing in contact.
+ContactHistory& Contact::edit(State& state) const {
+  ContactHistory& history = state.history.edit<ContactHistory>(name_);
+  if (!history.elements.empty()) return history;
+  history.active = ActiveSet(vertices());
+  history.elements.resize(triangles());
+  rebuild_entries(history);
+  return history;
+}
+
+void Contact::renew(State& state) const {
+  ContactHistory& history = edit(state);
+  history.active.begin();
+  const ContactSlave& slave = interface_.slave;
+  const MasterNodes nodes = master_nodes(master(), state);
+  tbb::parallel_for(0, triangles(), [&](int e) {
+    Element& element = history.elements[e];
     const TriangleNodes x = positions(state, e);
-    const Eigen::Vector3d centre = x * garment_values(slave_.order, Eigen::Vector3d::Constant(1.0 / 3.0));
-    const Site site = skin_.find(state, centre);
+    const Eigen::Vector3d centre = x * garment_values(slave.order, Eigen::Vector3d::Constant(1.0 / 3.0));
+    const Site site = master().find(state, centre);
     element.points.clear();
-    if (site.facet >= 0) element.points = cut_by_facets(skin_, nodes, x, slave_.order, site.facet);
-    if (element.points.empty()) element.points = uncut_rule(fallback_parts_, slave_.order);
-    for (ContactPoint& point : element.points) point.weight *= slave_.area_ratio(e, point.L);
+    if (site.facet >= 0) element.points = cut_by_facets(master(), nodes, x, slave.order, site.facet);
+    if (element.points.empty()) element.points = uncut_rule(fallback_parts_, slave.order);
+    for (ContactPoint& point : element.points) point.weight *= slave.area_ratio(e, point.L);
   });
 }
 
-bool Contact::locate(const State& state) {
-  tbb::parallel_for(0, static_cast<int>(elements_.size()), [&](int e) {
+void Contact::locate(const State& state, ContactHistory& history) const {
+  tbb::parallel_for(0, triangles(), [&](int e) {
     const TriangleNodes x = positions(state, e);
-    for (ContactPoint& point : elements_[e].points) point.site = skin_.follow(state, x * point.N, point.site);
+    for (ContactPoint& point : history.elements[e].points) point.site = master().follow(state, x * point.N, point.site);
   });
-  if (!skin_.deformable()) return false;
+  if (!master().deformable()) return;
   bool changed = false;
-  for (Element& element : elements_)
+  for (Element& element : history.elements)
     for (const auto& [L, weight, N, site] : element.points)
       if (site.facet >= 0 && std::find(element.facets.begin(), element.facets.end(), site.facet) == element.facets.end()) {
         couple(element);
         changed = true;
         break;
       }
-  if (changed) rebuild_entries();
-  return changed;
+  if (changed) rebuild_entries(history);
+}
+
+// Members that the others follow from are not stored; writing and reading share the lists.
+template <class Archive, class S>
+  requires std::is_same_v<std::remove_const_t<S>, ContactPoint>
+static void each(Archive& with, S& point) {
+  with(point.L[0]), with(point.L[1]), with(point.L[2]), with(point.weight);
+  with(point.site.facet), with(point.site.xi[0]), with(point.site.xi[1]);
+}
+
+template <class Archive, class S>
+  requires std::is_same_v<std::remove_const_t<S>, ContactHistory::Element>
+static void each(Archive& with, S& element) {
+  with(element.facets), with(element.points);
+}
+
+template <class Archive, class S>
+  requires std::is_same_v<std::remove_const_t<S>, ActiveSet::Memory>
+static void each(Archive& with, S& memory) {
+  with(memory.flags), with(memory.changed), with(memory.fewest_wrong), with(memory.waited);
+}
+
+void ContactHistory::write(ByteWriter& writer) const {
+  each(writer, active.memory());
+  writer(elements);
+}
+
+void Contact::restore(State& state) const {
+  const auto* stored = state.history.find<StoredHistory>(name_);
+  if (!stored) return;
+  auto history = std::make_shared<ContactHistory>(vertices());
+  ByteReader reader(stored->bytes);
+  ActiveSet::Memory memory;
+  each(reader, memory), reader(history->elements), reader.finish();
+  if (static_cast<int>(memory.flags.size()) != vertices() || static_cast<int>(history->elements.size()) != triangles())
+    throw std::runtime_error("a stored state has another contact");
+  history->active = ActiveSet(std::move(memory));
+  for (Element& element : history->elements) {
+    for (ContactPoint& point : element.points) point.N = garment_values(interface_.slave.order, point.L);
+    for (const int facet : std::exchange(element.facets, {})) couple(facet, element);
+  }
+  rebuild_entries(*history);
+  weigh(state, *history);
+  state.history.put(name_, std::move(history));
 }
 
 double Contact::step_bound(const State&, const Eigen::VectorXd& direction, double limit) const {
   // A point may not move farther than half an edge, so that it stays near the facets it was found on.
   double longest = 0.0;
-  for (const auto& triangle : slave_.triangles)
+  for (const auto& triangle : interface_.slave.triangles)
     for (const int entry : triangle.entries) longest = std::max(longest, direction.segment<3>(entry).norm());
   return longest * limit > step_limit_ ? step_limit_ / longest : limit;
 }

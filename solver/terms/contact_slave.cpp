@@ -28,14 +28,14 @@ double ContactSlave::area_ratio(int triangle, const Eigen::Vector3d& L) const {
   return curved.empty() ? 1.0 : area_element(curved[triangle], L) / triangles[triangle].area;
 }
 
-ContactSlave garment_slave(const Layout& layout, const mesh::GarmentMesh& garment) {
+ContactSlave garment_slave(const Field& positions, const mesh::GarmentMesh& garment) {
   ContactSlave slave;
   slave.order = garment.order, slave.mean_edge = garment.mean_edge;
   slave.vertex_of_node.assign(garment.pattern.size(), -1);
   for (const auto& nodes : garment.triangles) {
     auto& triangle = slave.triangles.emplace_back();
     std::array<int, 6> merged;
-    for (int a = 0; a < 6; ++a) merged[a] = garment.merged[nodes[a]], triangle.entries[a] = layout.garment(merged[a]);
+    for (int a = 0; a < 6; ++a) merged[a] = garment.merged[nodes[a]], triangle.entries[a] = positions(merged[a]);
     triangle.area = flat_triangle(garment.pattern[nodes[0]], garment.pattern[nodes[1]], garment.pattern[nodes[2]]).area;
     number_vertices(merged, slave);
     for (const int vertex : triangle.vertices) slave.area[vertex] += triangle.area / 3.0;
@@ -43,7 +43,7 @@ ContactSlave garment_slave(const Layout& layout, const mesh::GarmentMesh& garmen
   return slave;
 }
 
-ContactSlave surface_slave(const Layout& layout, const mesh::BodyMesh& body,
+ContactSlave surface_slave(const Field& positions, const mesh::BodyMesh& body,
                            const std::vector<mesh::FacetNodeNumbers>& facets) {
   if (mesh::facet_kind(body.kind) != mesh::FacetKind::tri6)
     throw std::invalid_argument("the slave surface of a contact is made of quadratic tetrahedra");
@@ -55,7 +55,7 @@ ContactSlave surface_slave(const Layout& layout, const mesh::BodyMesh& body,
     // its own outward normal is opposed to that of the surface it meets
     const std::array<int, 6> nodes = {facet[0], facet[2], facet[1], facet[5], facet[4], facet[3]};
     TriangleNodes& rest = slave.curved.emplace_back();
-    for (int a = 0; a < 6; ++a) triangle.entries[a] = layout.body(nodes[a]), rest.col(a) = body.nodes[nodes[a]];
+    for (int a = 0; a < 6; ++a) triangle.entries[a] = positions(nodes[a]), rest.col(a) = body.nodes[nodes[a]];
     number_vertices(nodes, slave);
     for (const TrianglePoint& q : triangle_rule()) {
       const double part = q.weight * area_element(rest, q.L);

@@ -6,6 +6,7 @@
 
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/garment/garment_mesh.hpp"
+#include "solver/algebra/layout.hpp"
 #include "solver/algebra/state.hpp"
 #include "solver/terms/facet_cut.hpp"
 
@@ -31,12 +32,11 @@ struct ContactSlave {
   double area_ratio(int triangle, const Eigen::Vector3d& L) const;
 };
 
-/// The garment with its pattern as rest shape; sewn nodes are one.
-ContactSlave garment_slave(const Layout& layout, const mesh::GarmentMesh& garment);
+/// The garment with its pattern as rest shape; sewn nodes are one. The field of the interface has `vertices()` pressures.
+ContactSlave garment_slave(const Field& positions, const mesh::GarmentMesh& garment);
 
-/// Quadratic triangles (tri6) of the body's boundary, at rest where the mesh puts them. The layout of a scene with them has
-/// `vertices()` multipliers.
-ContactSlave surface_slave(const Layout& layout, const mesh::BodyMesh& body,
+/// Quadratic triangles (tri6) of the body's boundary, at rest where the mesh puts them. Throws std::invalid_argument for others.
+ContactSlave surface_slave(const Field& positions, const mesh::BodyMesh& body,
                            const std::vector<mesh::FacetNodeNumbers>& facets);
 
 }  // namespace snug::solver

@@ -55,16 +55,13 @@ double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers
   return sum;
 }
 
-DeadLoad::DeadLoad(const Layout& layout, const NodalForces& on_body, const NodalForces& on_garment) {
-  for (std::size_t node = 0; node < on_body.size(); ++node) add(layout.body(static_cast<int>(node)), on_body[node]);
-  for (std::size_t node = 0; node < on_garment.size(); ++node)
-    add(layout.garment(static_cast<int>(node)), on_garment[node]);
-}
-
-void DeadLoad::add(int entry, const Eigen::Vector3d& force) {
-  if (force.isZero(0.0)) return;
-  forces_.push_back(force);
-  entries_.push(std::array{entry, entry + 1, entry + 2});
+DeadLoad::DeadLoad(std::string name, const Field& positions, const NodalForces& forces) : name_(std::move(name)) {
+  for (std::size_t node = 0; node < forces.size(); ++node) {
+    if (forces[node].isZero(0.0)) continue;
+    const int entry = positions(static_cast<int>(node));
+    forces_.push_back(forces[node]);
+    entries_.push(std::array{entry, entry + 1, entry + 2});
+  }
 }
 
 double DeadLoad::energy(const State& state) const {

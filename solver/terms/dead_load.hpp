@@ -9,7 +9,7 @@
 
 namespace snug::solver {
 
-/// Nodal forces, N, one a node of the body or of the garment.
+/// Nodal forces, N, one a node of a part.
 using NodalForces = std::vector<Eigen::Vector3d>;
 
 /// Adds  int N_a t dA  over the facets of the reference body; `traction` in Pa.
@@ -26,18 +26,19 @@ double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers
 /// Energy  -s sum_a f_a . x_a.
 class DeadLoad : public Term {
  public:
-  DeadLoad(const Layout& layout, const NodalForces& on_body, const NodalForces& on_garment = {});
+  /// Forces at the items of a field of positions.
+  DeadLoad(std::string name, const Field& positions, const NodalForces& forces);
 
-  std::string name() const override { return "dead load"; }
-  const ElementEntries& entries() const override { return entries_; }
+  std::string name() const override { return name_; }
+  const ElementEntries& entries(const State&) const override { return entries_; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void measure(const State& state, Measure& measure) const override;
   bool is_load() const override { return true; }
+  bool empty() const { return forces_.empty(); }
 
  private:
-  void add(int entry, const Eigen::Vector3d& force);
-
+  std::string name_;
   std::vector<Eigen::Vector3d> forces_;  ///< of the loaded nodes, one an element
   ElementEntries entries_;
 };

@@ -24,9 +24,9 @@ Eigen::Matrix3d to_frame(const Eigen::Matrix2d& tangents, const Eigen::Matrix2d&
 
 }  // namespace
 
-FabricBending::FabricBending(const Layout& layout, const mesh::GarmentMesh& mesh,
+FabricBending::FabricBending(const Field& positions, const mesh::GarmentMesh& mesh,
                              const materials::BendingStiffness& stiffness)
-    : layout_(layout), stiffness_(Eigen::Vector3d(stiffness.warp, stiffness.weft, stiffness.twist()).asDiagonal()) {
+    : field_(positions), stiffness_(Eigen::Vector3d(stiffness.warp, stiffness.weft, stiffness.twist()).asDiagonal()) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(mesh, t);
   add_edges();
 }
@@ -39,7 +39,7 @@ void FabricBending::add_triangle(const mesh::GarmentMesh& mesh, std::size_t t) {
   for (int a = 0; a < 6; ++a) {
     triangle.nodes[a] = mesh.merged[mesh.triangles[t][a]];
     triangle.pattern.col(a) = mesh.pattern[mesh.triangles[t][a]];
-    for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout_.garment(triangle.nodes[a], c);
+    for (int c = 0; c < 3; ++c) entries[3 * a + c] = field_(triangle.nodes[a], c);
   }
   for (const BendingRulePoint& q : bending_rule()) {
     Point point;
@@ -75,7 +75,7 @@ void FabricBending::add_edge(const std::vector<std::array<int, 2>>& sides) {
   }
   std::vector<int> entries;
   for (const int node : edge.nodes)
-    for (int c = 0; c < 3; ++c) entries.push_back(layout_.garment(node, c));
+    for (int c = 0; c < 3; ++c) entries.push_back(field_(node, c));
   entries_.push(entries);
   edges_.push_back(std::move(edge));
 }
@@ -99,7 +99,7 @@ void FabricBending::set_side(EdgePoint& point, int k, const std::array<int, 2>& 
 
 TriangleNodes FabricBending::positions(const State& state, int triangle) const {
   TriangleNodes x;
-  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(layout_.garment(triangles_[triangle].nodes[a]));
+  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(field_(triangles_[triangle].nodes[a]));
   return x;
 }
 

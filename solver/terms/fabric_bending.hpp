@@ -20,10 +20,11 @@ namespace snug::solver {
 class FabricBending : public Term {
  public:
   /// Takes quadratic triangles (mesh.order 2).
-  FabricBending(const Layout& layout, const mesh::GarmentMesh& mesh, const materials::BendingStiffness& stiffness);
+  FabricBending(const Field& positions, const mesh::GarmentMesh& mesh, const materials::BendingStiffness& stiffness);
 
   std::string name() const override { return "fabric bending"; }
-  const ElementEntries& entries() const override { return entries_; }
+  const ElementEntries& entries(const State&) const override { return entries_; }
+  bool bends() const override { return true; }
   double energy(const State& state) const override;
   /// Tangent::convex leaves out what turning normals add, which may be indefinite; the rest is positive for flat triangles.
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
@@ -50,7 +51,7 @@ class FabricBending : public Term {
   TriangleNodes positions(const State& state, int triangle) const;
   EdgeElement edge_element(const State& state, const EdgeSides& edge, Tangent tangent) const;
 
-  Layout layout_;
+  Field field_;
   Eigen::Matrix3d stiffness_;  ///< along warp and weft, of (k11, k22, 2 k12)
   std::vector<Triangle> triangles_;
   std::vector<EdgeSides> edges_;

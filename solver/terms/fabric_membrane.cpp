@@ -16,9 +16,9 @@ constexpr double noticeable_strain = 1e-3;
 
 }  // namespace
 
-FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+FabricMembrane::FabricMembrane(const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
                                std::optional<double> prestretch)
-    : layout_(layout), fabric_(fabric), order_(mesh.order) {
+    : field_(positions), fabric_(fabric), order_(mesh.order), mean_edge_(mesh.mean_edge) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corner = mesh.triangles[t];
     Element element;
@@ -30,7 +30,7 @@ FabricMembrane::FabricMembrane(const Layout& layout, const mesh::GarmentMesh& me
       element.nodes[a] = mesh.merged[corner[a]];
       placed.col(a) = mesh.placed[corner[a]];
       element.pattern.col(a) = mesh.pattern[corner[a]];
-      for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(element.nodes[a], c);
+      for (int c = 0; c < 3; ++c) entries[3 * a + c] = positions(element.nodes[a], c);
     }
     for (const TrianglePoint& q : triangle_rule()) {
       Point point;
@@ -55,7 +55,7 @@ double FabricMembrane::eta(double load) const { return std::pow(1e-2, 1.0 - load
 
 NodeVectors<6> FabricMembrane::positions(const State& state, const Element& element) const {
   NodeVectors<6> x;
-  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(layout_.garment(element.nodes[a]));
+  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(field_(element.nodes[a]));
   return x;
 }
 
@@ -101,8 +101,16 @@ bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) c
 void FabricMembrane::measure(const State&, Measure& measure) const {
   double area = 0.0;
   for (const Element& element : elements_) area += element.area;
-  const double stiffness = std::max(fabric_.warp.at(0.0).stiffness, fabric_.weft.at(0.0).stiffness);
-  measure.smallest_force = std::max(measure.smallest_force, noticeable_strain * stiffness * std::sqrt(area));
+  measure.smallest_force = std::max(measure.smallest_force, noticeable_strain * fabric_.stiffness() * std::sqrt(area));
+}
+
+void FabricMembrane::damp(Eigen::VectorXd& weights) const {
+  for (const Element& element : elements_) {
+    const double area = flat_triangle(element.pattern.col(0), element.pattern.col(1), element.pattern.col(2)).area;
+    for (const int node : element.nodes)
+      for (int c = 0; c < 3; ++c)
+        weights[field_(node, c)] += area / 6.0 * fabric_.stiffness() / (mean_edge_ * mean_edge_);
+  }
 }
 
 double FabricMembrane::step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const {

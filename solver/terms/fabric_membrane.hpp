@@ -18,15 +18,17 @@ namespace snug::solver {
 /// placed shape shrunk by p (verification cases whose rest shape is not flat).
 class FabricMembrane : public Term {
  public:
-  FabricMembrane(const Layout& layout, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+  FabricMembrane(const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
                  std::optional<double> prestretch = {});
 
   std::string name() const override { return "fabric membrane"; }
-  const ElementEntries& entries() const override { return entries_; }
+  const ElementEntries& entries(const State&) const override { return entries_; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void measure(const State& state, Measure& measure) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
+  /// Stiffness over the mean edge squared times the area of the node: slack cloth has no stiffness of its own.
+  void damp(Eigen::VectorXd& weights) const override;
 
   /// Residual compressive stiffness eta of the relaxed energy at load s: 1e-2 at the start, `final_eta` at s = 1. Without
   /// one a sleeve that is free along its axis stands on the kink between taut and wrinkled, and Newton finds no rest.
@@ -60,9 +62,10 @@ class FabricMembrane : public Term {
   NodeVectors<6> positions(const State& state, const Element& element) const;
   static Derivatives<6> derivatives(const Element& element, const Point& point, double load, double& rest_weight);
 
-  Layout layout_;
+  Field field_;
   materials::Fabric fabric_;
   int order_;                              ///< of the triangles
+  double mean_edge_;                       ///< m
   std::vector<Element> elements_;
   ElementEntries entries_;
   double final_eta_ = 1e-3;

@@ -97,8 +97,9 @@ void add_fan(Polygon polygon, int order, const Site& start, std::vector<ContactP
 
 }  // namespace
 
-SkinNodes skin_nodes(const SkinSurface& skin, const State& state, int count) {
-  SkinNodes nodes;
+MasterNodes master_nodes(const MasterSurface& skin, const State& state) {
+  const int count = skin.nodes();
+  MasterNodes nodes;
   nodes.position.assign(count, Eigen::Vector3d::Zero());
   nodes.normal.assign(count, Eigen::Vector3d::Zero());
   for (int f = 0; f < skin.facets(); ++f) {
@@ -114,7 +115,7 @@ SkinNodes skin_nodes(const SkinSurface& skin, const State& state, int count) {
   return nodes;
 }
 
-std::vector<ContactPoint> cut_by_facets(const SkinSurface& skin, const SkinNodes& nodes, const TriangleNodes& triangle,
+std::vector<ContactPoint> cut_by_facets(const MasterSurface& skin, const MasterNodes& nodes, const TriangleNodes& triangle,
                                         int order, int start_facet) {
   std::map<int, std::optional<Eigen::Vector3d>> images;  // of skin nodes
   const auto image = [&](int node) -> const std::optional<Eigen::Vector3d>& {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/terms/garment_shape.hpp"
-#include "solver/terms/skin_surface.hpp"
+#include "solver/terms/master_surface.hpp"
 
 namespace snug::solver {
 
@@ -25,10 +25,10 @@ struct ContactPoint {
 
 /// Positions and unit normals of the skin's nodes in one state: a node's normal is the mean over its facets, so that two
 /// facets project a common node to the same place.
-struct SkinNodes {
+struct MasterNodes {
   std::vector<Eigen::Vector3d> position, normal;
 };
-SkinNodes skin_nodes(const SkinSurface& skin, const State& state, int nodes);
+MasterNodes master_nodes(const MasterSurface& skin, const State& state);
 
 /// Projects the outline of every facet that the triangle meets on to the triangle (its nodes along the skin's normals,
 /// joined by straight lines in area coordinates), clips it (Sutherland & Hodgman 1974) and puts the seven-point rule on
@@ -36,7 +36,7 @@ SkinNodes skin_nodes(const SkinSurface& skin, const State& state, int nodes);
 /// What a straight line leaves of a facet's curved edge is of higher order than the rule. Sites are those of the facet
 /// cut, with xi at its centre: the caller projects. Empty where the cut fails (the caller falls back on a fixed rule): the
 /// triangle faces no facet, is folded, or the parts overlap.
-std::vector<ContactPoint> cut_by_facets(const SkinSurface& skin, const SkinNodes& nodes, const TriangleNodes& triangle,
+std::vector<ContactPoint> cut_by_facets(const MasterSurface& skin, const MasterNodes& nodes, const TriangleNodes& triangle,
                                         int order, int start_facet);
 
 /// The seven-point rule on n x n parts of the triangle, facets unknown.

@@ -132,16 +132,16 @@ bool project(FacetKind kind, const FacetNodes& nodes, const Eigen::Vector3d& x, 
   return true;
 }
 
-std::array<int, 27> facet_entries(const Layout& layout, const mesh::FacetNodeNumbers& facet) {
+std::array<int, 27> facet_entries(const Field& positions, const mesh::FacetNodeNumbers& facet) {
   std::array<int, 27> entries{};
   for (int a = 0; a < 9; ++a)
-    for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.body(facet[a] < 0 ? facet[0] : facet[a], c);
+    for (int c = 0; c < 3; ++c) entries[3 * a + c] = positions(facet[a] < 0 ? facet[0] : facet[a], c);
   return entries;
 }
 
-FacetNodes facet_positions(const State& state, const Layout& layout, const mesh::FacetNodeNumbers& facet) {
+FacetNodes facet_positions(const State& state, const Field& positions, const mesh::FacetNodeNumbers& facet) {
   FacetNodes x = FacetNodes::Zero();
-  for (int a = 0; a < 9 && facet[a] >= 0; ++a) x.col(a) = state.values.segment<3>(layout.body(facet[a]));
+  for (int a = 0; a < 9 && facet[a] >= 0; ++a) x.col(a) = state.values.segment<3>(positions(facet[a]));
   return x;
 }
 

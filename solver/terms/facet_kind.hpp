@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
+#include "solver/algebra/layout.hpp"
 #include "solver/algebra/state.hpp"
 #include "solver/terms/facet.hpp"
 
@@ -40,9 +41,9 @@ Eigen::Vector2d clamped(mesh::FacetKind kind, const Eigen::Vector2d& xi);
 bool project(mesh::FacetKind kind, const FacetNodes& nodes, const Eigen::Vector3d& x, double reach, Eigen::Vector2d& xi);
 
 /// Entries of the nine slots; slots without a node repeat the first one's and get nothing.
-std::array<int, 27> facet_entries(const Layout& layout, const mesh::FacetNodeNumbers& facet);
+std::array<int, 27> facet_entries(const Field& positions, const mesh::FacetNodeNumbers& facet);
 /// Positions in the nine slots: of the state, or of the reference body.
-FacetNodes facet_positions(const State& state, const Layout& layout, const mesh::FacetNodeNumbers& facet);
+FacetNodes facet_positions(const State& state, const Field& positions, const mesh::FacetNodeNumbers& facet);
 FacetNodes facet_positions(const mesh::BodyMesh& mesh, const mesh::FacetNodeNumbers& facet);
 
 }  // namespace snug::solver

@@ -13,9 +13,9 @@ namespace snug::solver {
 namespace {
 
 // Column of a node of the facet among the entries of the triangle.
-int column_of(const std::vector<int>& skin_nodes, int node) {
-  const auto it = std::find(skin_nodes.begin(), skin_nodes.end(), node);
-  return 18 + 3 * static_cast<int>(it - skin_nodes.begin());
+int column_of(const std::vector<int>& master_nodes, int node) {
+  const auto it = std::find(master_nodes.begin(), master_nodes.end(), node);
+  return 18 + 3 * static_cast<int>(it - master_nodes.begin());
 }
 
 // Turned into the plane normal to n with its length kept: the traction of a point that has moved on along the skin.
@@ -32,40 +32,45 @@ struct Friction::Slot {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> matrix;
 };
 
-Friction::Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip, double sticking)
-    : layout_(layout), contact_(contact), coefficient_(coefficient), elastic_slip_(elastic_slip), sticking_(sticking),
-      elements_(contact.triangles()) {}
+Friction::Friction(std::string name, const Contact& contact, double coefficient, double elastic_slip, double sticking)
+    : name_(std::move(name)), contact_(contact), coefficient_(coefficient), elastic_slip_(elastic_slip), sticking_(sticking) {}
 
 double Friction::vertex_pressure(const State& state, int vertex) const {
-  return std::max(0.0, state.values[layout_.multiplier(vertex)]);
+  return std::max(0.0, contact_.pressure(state, vertex));
 }
 
-void Friction::set_stiffness(const State& state) {
-  if (state.release == 0.0) {
-    stiffness_ = sticking_;
-    return;
-  }
+double Friction::slip_stiffness(const State& state) const {
+  if (state.release == 0.0) return sticking_;
   double force = 0.0, area = 0.0;
   for (int i = 0; i < contact_.vertices(); ++i)
     if (const double p = vertex_pressure(state, i); p > 0.0) force += p * contact_.rest_area(i), area += contact_.rest_area(i);
-  stiffness_ = area > 0.0 ? coefficient_ * force / area / elastic_slip_ : 0.0;
+  return area > 0.0 ? coefficient_ * force / area / elastic_slip_ : 0.0;
 }
 
-void Friction::renew(const State& state) { set_stiffness(state); }
+/// The state's own history, which begins without traction where the state is.
+FrictionHistory& Friction::edit(State& state) const {
+  FrictionHistory& history = state.history.edit<FrictionHistory>(name_);
+  if (history.anchor.size() > 0) return history;
+  history.anchor = state.values;
+  history.traction = Eigen::VectorXd::Zero(9 * contact_.triangles());
+  return history;
+}
 
-void Friction::place(const State& state, int triangle) {
-  Element& element = elements_[triangle];
+void Friction::renew(State& state) const { edit(state).stiffness = slip_stiffness(state); }
+
+FrictionHistory::Element Friction::frame(const State& state, int triangle) const {
+  FrictionHistory::Element element;
   std::vector<Contact::Meeting> points;
   contact_.meetings(state, triangle, points);
+  const ContactHistory& contact = contact_.history(state);
   const auto& vertices = contact_.vertices_of(triangle);
-  const auto& skin_nodes = contact_.skin_nodes_of(triangle);
-  const int columns = 18 + 3 * static_cast<int>(skin_nodes.size());
+  const auto& master_nodes = contact.elements[triangle].master_nodes;
+  const int columns = 18 + 3 * static_cast<int>(master_nodes.size());
   for (int v = 0; v < 3; ++v) {
     Corner& corner = element[v];
-    corner = {};
     if (state.release == 0.0)
       corner.bound = std::numeric_limits<double>::infinity();
-    else if (contact_.active()[vertices[v]])
+    else if (contact.active[vertices[v]])
       corner.bound = coefficient_ * vertex_pressure(state, vertices[v]) / state.release;
     if (corner.bound > 0.0) corner.slip.setZero(3, columns);
   }
@@ -79,9 +84,9 @@ void Friction::place(const State& state, int triangle) {
       corner.area += weight;
       corner.normal += weight * q.at.n;
       for (int a = 0; a < 6; ++a) corner.slip.middleCols<3>(3 * a) += weight * q.N[a] * P;
-      for (int b = 0; b < 9 && contact_.skin().deformable(); ++b)
-        if (const int node = contact_.skin().nodes_of(q.facet)[b]; node >= 0)
-          corner.slip.middleCols<3>(column_of(skin_nodes, node)) +=
+      for (int b = 0; b < 9 && contact_.master().deformable(); ++b)
+        if (const int node = contact_.master().nodes_of(q.facet)[b]; node >= 0)
+          corner.slip.middleCols<3>(column_of(master_nodes, node)) +=
               weight * (q.gap * c.col(b) * q.at.n.transpose() - q.shape.N[b] * P);
     }
   }
@@ -89,26 +94,33 @@ void Friction::place(const State& state, int triangle) {
     corner.normal.normalize();
     if (corner.bound > 0.0) corner.slip -= corner.normal * (corner.normal.transpose() * corner.slip).eval();
   }
+  return element;
 }
 
-bool Friction::update(const State& state) {
-  if (stiffness_ == 0.0) set_stiffness(state);
-  tbb::parallel_for(0, contact_.triangles(), [&](int triangle) { place(state, triangle); });
-  return false;
+std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(const State& state) const {
+  auto frames = std::make_shared<std::vector<FrictionHistory::Element>>(contact_.triangles());
+  tbb::parallel_for(0, contact_.triangles(), [&](int triangle) { (*frames)[triangle] = frame(state, triangle); });
+  return frames;
 }
 
-Eigen::VectorXd Friction::change(const State& state, int triangle) const {
-  const auto entries = contact_.entries().of(triangle);
+void Friction::update(State& state) const {
+  FrictionHistory& history = edit(state);
+  if (history.stiffness == 0.0) history.stiffness = slip_stiffness(state);
+  history.frames = frames(state);
+}
+
+Eigen::VectorXd Friction::change(const State& state, const FrictionHistory& history, int triangle) const {
+  const auto entries = contact_.entries(state).of(triangle);
   Eigen::VectorXd change(entries.size() - 3);
-  for (Eigen::Index i = 0; i < change.size(); ++i) change[i] = state.values[entries[i]] - state.reference[entries[i]];
+  for (Eigen::Index i = 0; i < change.size(); ++i) change[i] = state.values[entries[i]] - history.anchor[entries[i]];
   return change;
 }
 
-Friction::Return Friction::traction(const State& state, const Eigen::VectorXd& change, int triangle, int v) const {
-  const Corner& corner = elements_[triangle][v];
+Friction::Return Friction::traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int v) {
+  const Corner& corner = (*history.frames)[triangle][v];
   Return r;
-  r.trial = transported(state.traction.segment<3>(9 * triangle + 3 * v), corner.normal) +
-            stiffness_ / corner.area * (corner.slip * change);
+  r.trial = transported(history.traction.segment<3>(9 * triangle + 3 * v), corner.normal) +
+            history.stiffness / corner.area * (corner.slip * change);
   const double length = r.trial.norm();
   r.slips = length > corner.bound;
   r.traction = r.slips ? Eigen::Vector3d(corner.bound / length * r.trial) : r.trial;
@@ -116,31 +128,33 @@ Friction::Return Friction::traction(const State& state, const Eigen::VectorXd& c
 }
 
 double Friction::energy(const State& state) const {
+  const FrictionHistory& now = history(state);
   double sum = 0.0;
-  for (int e = 0; e < contact_.triangles() && stiffness_ > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, e);
+  for (int e = 0; e < contact_.triangles() && now.stiffness > 0.0; ++e) {
+    const Eigen::VectorXd d = change(state, now, e);
     for (int v = 0; v < 3; ++v) {
-      const Corner& corner = elements_[e][v];
+      const Corner& corner = (*now.frames)[e][v];
       if (corner.area <= 0.0) continue;
-      const double trial = traction(state, d, e, v).trial.norm(), held = std::min(trial, corner.bound);
-      sum += corner.area * held * (trial - 0.5 * held) / stiffness_;
+      const double trial = traction(now, d, e, v).trial.norm(), held = std::min(trial, corner.bound);
+      sum += corner.area * held * (trial - 0.5 * held) / now.stiffness;
     }
   }
   return sum;
 }
 
 bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
-  if (stiffness_ == 0.0) return true;
+  const FrictionHistory& now = history(state);
+  if (now.stiffness == 0.0) return true;
   std::vector<Slot> slots(64);
   const auto compute = [&](int e, Slot& slot) {
-    const Eigen::VectorXd d = change(state, e);
+    const Eigen::VectorXd d = change(state, now, e);
     const Eigen::Index columns = d.size(), n = columns + 3;
     slot.residual.setZero(n);
     if (wanted(tangent)) slot.matrix.setZero(n, n);
     for (int v = 0; v < 3; ++v) {
-      const Corner& corner = elements_[e][v];
+      const Corner& corner = (*now.frames)[e][v];
       if (corner.area <= 0.0) continue;
-      const Return r = traction(state, d, e, v);
+      const Return r = traction(now, d, e, v);
       slot.residual.head(columns) += corner.slip.transpose() * r.traction;
       if (!wanted(tangent)) continue;
       Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
@@ -149,7 +163,7 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
         H = corner.bound / r.trial.norm() * (H - m * m.transpose());
       }
       slot.matrix.topLeftCorner(columns, columns).noalias() +=
-          corner.slip.transpose() * (stiffness_ / corner.area * H * corner.slip);
+          corner.slip.transpose() * (now.stiffness / corner.area * H * corner.slip);
     }
     return slot.residual.allFinite();
   };
@@ -161,24 +175,44 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
 }
 
 void Friction::commit(State& state) const {
+  FrictionHistory& now = edit(state);
   Eigen::VectorXd tractions = Eigen::VectorXd::Zero(9 * contact_.triangles());
-  for (int e = 0; e < contact_.triangles() && state.reference.size() > 0 && stiffness_ > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, e);
+  for (int e = 0; e < contact_.triangles() && now.frames && now.stiffness > 0.0; ++e) {
+    const Eigen::VectorXd d = change(state, now, e);
     for (int v = 0; v < 3; ++v)
-      if (elements_[e][v].area > 0.0) tractions.segment<3>(9 * e + 3 * v) = traction(state, d, e, v).traction;
+      if ((*now.frames)[e][v].area > 0.0) tractions.segment<3>(9 * e + 3 * v) = traction(now, d, e, v).traction;
   }
-  state.traction = std::move(tractions);
-  state.reference = state.values;
+  now.traction = std::move(tractions);
+  now.anchor = state.values;
+}
+
+/// The tractions go on; slip counts from where the new state is.
+void Friction::carry(const State& from, State& state) const {
+  const auto* before = from.history.find<FrictionHistory>(name_);
+  if (before) edit(state).traction = before->traction;
+}
+
+void Friction::restore(State& state) const {
+  const auto* stored = state.history.find<StoredHistory>(name_);
+  if (!stored) return;
+  auto history = std::make_shared<FrictionHistory>();
+  ByteReader reader(stored->bytes);
+  reader(history->anchor), reader(history->traction), reader(history->stiffness), reader.finish();
+  if (history->anchor.size() != state.values.size() || history->traction.size() != 9 * contact_.triangles())
+    throw std::runtime_error("a stored state has another friction");
+  history->frames = frames(state);
+  state.history.put(name_, std::move(history));
 }
 
 std::vector<Friction::PointForce> Friction::point_forces(const State& state) const {
+  const FrictionHistory& now = history(state);
   std::vector<PointForce> forces;
   std::vector<Contact::Meeting> points;
-  for (int e = 0; e < contact_.triangles() && stiffness_ > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, e);
+  for (int e = 0; e < contact_.triangles() && now.stiffness > 0.0; ++e) {
+    const Eigen::VectorXd d = change(state, now, e);
     Eigen::Matrix3d t = Eigen::Matrix3d::Zero();
     for (int v = 0; v < 3; ++v)
-      if (elements_[e][v].area > 0.0) t.col(v) = traction(state, d, e, v).traction;
+      if ((*now.frames)[e][v].area > 0.0) t.col(v) = traction(now, d, e, v).traction;
     contact_.meetings(state, e, points);
     for (const Contact::Meeting& q : points) {
       const Eigen::Vector3d f = t * q.L;
@@ -189,15 +223,16 @@ std::vector<Friction::PointForce> Friction::point_forces(const State& state) con
 }
 
 std::vector<Friction::VertexTraction> Friction::vertex_tractions(const State& state) const {
+  const FrictionHistory& now = history(state);
   std::vector<VertexTraction> vertices(contact_.vertices());
   std::vector<double> area(vertices.size(), 0.0), slipping(vertices.size(), 0.0);
-  for (int e = 0; e < contact_.triangles() && stiffness_ > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, e);
+  for (int e = 0; e < contact_.triangles() && now.stiffness > 0.0; ++e) {
+    const Eigen::VectorXd d = change(state, now, e);
     for (int v = 0; v < 3; ++v) {
-      const Corner& corner = elements_[e][v];
+      const Corner& corner = (*now.frames)[e][v];
       if (corner.area <= 0.0) continue;
       const int vertex = contact_.vertices_of(e)[v];
-      const Return r = traction(state, d, e, v);
+      const Return r = traction(now, d, e, v);
       vertices[vertex].traction -= corner.area * r.traction;
       area[vertex] += corner.area;
       // a committed state stands at the bound itself

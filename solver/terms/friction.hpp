@@ -2,11 +2,32 @@
 #pragma once
 
 #include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "solver/terms/contact.hpp"
 
 namespace snug::solver {
+
+/// What friction remembers: the accepted state that slip counts from with the traction there, and the frozen problem.
+struct FrictionHistory : public History {
+  void write(ByteWriter& writer) const override { writer(anchor), writer(traction), writer(stiffness); }
+
+  using Operator = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+  struct Corner {
+    double area = 0.0;    ///< A_v of the points that face the skin, m2
+    double bound = 0.0;   ///< mu p_v / release, Pa
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries) in the plane of `normal`, m2
+  };
+  using Element = std::array<Corner, 3>;
+
+  Eigen::VectorXd anchor;    ///< values of the accepted state
+  Eigen::VectorXd traction;  ///< on the skin there, Pa per rest area of the garment; three corners a triangle
+  double stiffness = 0.0;    ///< k, Pa/m; 0: nothing touches yet
+  std::shared_ptr<const std::vector<Element>> frames;  ///< of the last update
+};
 
 /// Return mapping at the garment's vertices, triangle by triangle: with quadrature points q of the triangle,
 ///   U_q = P_q (dx_q - sum_b N_b dy_b) + g_q sum_b (y^a N_b,a) (n_q . dy_b)   (d: since the last accepted state),
@@ -28,16 +49,18 @@ class Friction : public Term {
 
   /// `contact` has to outlive the term and to be updated before it; `elastic_slip` in m. `sticking`, Pa/m: stiffness of
   /// the slip while nothing is released.
-  Friction(const Layout& layout, const Contact& contact, double coefficient, double elastic_slip, double sticking = 0.0);
+  Friction(std::string name, const Contact& contact, double coefficient, double elastic_slip, double sticking = 0.0);
 
-  std::string name() const override { return "friction"; }
-  const ElementEntries& entries() const override { return contact_.entries(); }
+  std::string name() const override { return name_; }
+  const ElementEntries& entries(const State& state) const override { return contact_.entries(state); }
   /// Of the frozen problem.
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
-  bool update(const State& state) override;
-  void renew(const State& state) override;
+  void update(State& state) const override;
+  void renew(State& state) const override;
   void commit(State& state) const override;
+  void carry(const State& from, State& state) const override;
+  void restore(State& state) const override;
 
   double coefficient() const { return coefficient_; }
   /// Force on the garment (N) at the points of `Contact::meetings`, triangle by triangle.
@@ -52,30 +75,24 @@ class Friction : public Term {
   std::vector<VertexTraction> vertex_tractions(const State& state) const;
 
  private:
-  using Operator = Eigen::Matrix<double, 3, Eigen::Dynamic>;
-  struct Corner {
-    double area = 0.0;    ///< A_v of the points that face the skin, m2
-    double bound = 0.0;   ///< mu p_v / release, Pa
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries) in the plane of `normal`, m2
-  };
-  using Element = std::array<Corner, 3>;
+  using Corner = FrictionHistory::Corner;
   struct Return {
     Eigen::Vector3d trial, traction;
     bool slips;
   };
   struct Slot;
+  const FrictionHistory& history(const State& state) const { return state.history.get<FrictionHistory>(name_); }
+  FrictionHistory& edit(State& state) const;
   double vertex_pressure(const State& state, int vertex) const;
-  void set_stiffness(const State& state);
-  void place(const State& state, int triangle);
-  Eigen::VectorXd change(const State& state, int triangle) const;
-  Return traction(const State& state, const Eigen::VectorXd& change, int triangle, int corner) const;
+  double slip_stiffness(const State& state) const;
+  FrictionHistory::Element frame(const State& state, int triangle) const;
+  std::shared_ptr<const std::vector<FrictionHistory::Element>> frames(const State& state) const;
+  Eigen::VectorXd change(const State& state, const FrictionHistory& history, int triangle) const;
+  static Return traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int corner);
 
-  Layout layout_;
+  std::string name_;
   const Contact& contact_;
   double coefficient_, elastic_slip_, sticking_;
-  double stiffness_ = 0.0;         ///< k, Pa/m; 0: nothing touches yet
-  std::vector<Element> elements_;
 };
 
 }  // namespace snug::solver

@@ -22,13 +22,13 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-PressureLoad::PressureLoad(const Layout& layout, const mesh::BodyMesh& mesh, std::string name,
+PressureLoad::PressureLoad(const Field& body, const mesh::BodyMesh& mesh, std::string name,
                            const std::vector<mesh::FacetNodeNumbers>& facets, double pressure)
     : name_(std::move(name)), pressure_(pressure) {
   const mesh::FacetKind kind = facet_kind(mesh.kind);
   for (const FacetRulePoint& q : facet_rule(kind)) points_.push_back({facet_shape(kind, q.xi), q.weight});
   for (const auto& facet : facets) {
-    const std::array<int, 27> slots = facet_entries(layout, facet);
+    const std::array<int, 27> slots = facet_entries(body, facet);
     entries_.push(std::span(slots).first(3 * node_count(kind)));
   }
   const std::vector<int>& outline = facet_domain(kind).outline;
@@ -36,7 +36,7 @@ PressureLoad::PressureLoad(const Layout& layout, const mesh::BodyMesh& mesh, std
   find_border(outline, nodes_an_edge, [&](int facet, int a) { return mesh.nodes[facets[facet][a]]; });
 }
 
-PressureLoad::PressureLoad(const Layout& layout, const mesh::GarmentMesh& mesh, double pressure)
+PressureLoad::PressureLoad(const Field& garment, const mesh::GarmentMesh& mesh, double pressure)
     : name_("garment"), pressure_(pressure) {
   for (const TrianglePoint& q : triangle_rule()) {
     FacetShape shape;
@@ -48,7 +48,7 @@ PressureLoad::PressureLoad(const Layout& layout, const mesh::GarmentMesh& mesh, 
   for (const auto& triangle : mesh.triangles) {
     std::array<int, 18> entries{};
     for (int a = 0; a < 6; ++a)
-      for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout.garment(mesh.merged[triangle[a]], c);
+      for (int c = 0; c < 3; ++c) entries[3 * a + c] = garment(mesh.merged[triangle[a]], c);
     entries_.push(entries);
   }
   find_border({0, 3, 1, 4, 2, 5}, 2, [&](int triangle, int a) { return mesh.placed[mesh.triangles[triangle][a]]; });

@@ -19,17 +19,17 @@ namespace snug::solver {
 class PressureLoad : public Term {
  public:
   /// `name` is that of the surface; `pressure` in Pa, positive against the outward normal.
-  PressureLoad(const Layout& layout, const mesh::BodyMesh& mesh, std::string name,
+  PressureLoad(const Field& positions, const mesh::BodyMesh& mesh, std::string name,
                const std::vector<mesh::FacetNodeNumbers>& facets, double pressure);
   /// On all triangles of a garment, positive against the normal about which they turn counter-clockwise: as on a body, a
   /// negative pressure blows the garment up.
-  PressureLoad(const Layout& layout, const mesh::GarmentMesh& mesh, double pressure);
+  PressureLoad(const Field& positions, const mesh::GarmentMesh& mesh, double pressure);
   /// The tangent becomes symmetric where the constraints make it so: no border, or one that keeps its place, a line or a
   /// plane.
   void hold_border(const Numbering& numbering);
 
   std::string name() const override { return "pressure on " + name_; }
-  const ElementEntries& entries() const override { return entries_; }
+  const ElementEntries& entries(const State&) const override { return entries_; }
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void measure(const State& state, Measure& measure) const override;
   bool symmetric() const override { return symmetric_; }

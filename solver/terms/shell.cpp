@@ -53,9 +53,9 @@ std::vector<std::pair<int, int>> clamped_edges(const mesh::BodyMesh& mesh) {
   return {clamped.begin(), clamped.end()};
 }
 
-Shell::Shell(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<ShellElasticity> elasticity,
+Shell::Shell(const Field& positions, const mesh::BodyMesh& mesh, std::vector<ShellElasticity> elasticity,
              input::Location where)
-    : layout_(layout), where_(std::move(where)), reference_(mesh.nodes) {
+    : field_(positions), where_(std::move(where)), reference_(mesh.nodes) {
   for (const mesh::ShellTriangle& triangle : mesh.shell) add_triangle(triangle, elasticity.at(triangle.layer));
   add_edges(mesh);
 }
@@ -87,7 +87,7 @@ void Shell::add_triangle(const mesh::ShellTriangle& given, const ShellElasticity
   }
   std::array<int, 18> entries{};
   for (int a = 0; a < 6; ++a)
-    for (int c = 0; c < 3; ++c) entries[3 * a + c] = layout_.body(triangle.nodes[a], c);
+    for (int c = 0; c < 3; ++c) entries[3 * a + c] = field_(triangle.nodes[a], c);
   entries_.push(entries);
   triangles_.push_back(std::move(triangle));
 }
@@ -172,14 +172,14 @@ void Shell::add_edge(const std::vector<std::pair<int, int>>& sides) {
   }
   std::vector<int> entries;
   for (const int node : edge.nodes)
-    for (int c = 0; c < 3; ++c) entries.push_back(layout_.body(node, c));
+    for (int c = 0; c < 3; ++c) entries.push_back(field_(node, c));
   entries_.push(entries);
   edges_.push_back(std::move(edge));
 }
 
 TriangleNodes Shell::positions(const State& state, int triangle) const {
   TriangleNodes x;
-  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(layout_.body(triangles_[triangle].nodes[a]));
+  for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(field_(triangles_[triangle].nodes[a]));
   return x;
 }
 

@@ -30,13 +30,13 @@ std::vector<std::pair<int, int>> clamped_edges(const mesh::BodyMesh& mesh);
 /// reference; other free edges are hinges.
 class Shell : public Term {
  public:
-  /// `elasticity`: one a layer of the mesh. Throws input::InputError where three triangles share an edge, or a rotation
-  /// is held at a node but along none of its edges
-  /// that is no turn about the normal, at `where`.
-  Shell(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<ShellElasticity> elasticity, input::Location where = {});
+  /// `elasticity`: one a layer of the mesh. Throws input::InputError at `where` when three triangles share an edge, or a
+  /// rotation that is no turn about the normal is held at a node but along none of its edges.
+  Shell(const Field& positions, const mesh::BodyMesh& mesh, std::vector<ShellElasticity> elasticity, input::Location where = {});
 
   std::string name() const override { return "shell"; }
-  const ElementEntries& entries() const override { return entries_; }
+  const ElementEntries& entries(const State&) const override { return entries_; }
+  bool bends() const override { return true; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
@@ -75,7 +75,7 @@ class Shell : public Term {
                  MembraneElement<6>& element) const;
   EdgeElement edge_element(const State& state, const EdgeSides& edge, bool tangent) const;
 
-  Layout layout_;
+  Field field_;
   input::Location where_;
   std::vector<Eigen::Vector3d> reference_;
   std::vector<Triangle> triangles_;

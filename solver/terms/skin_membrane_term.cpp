@@ -6,8 +6,8 @@
 
 namespace snug::solver {
 
-SkinMembraneTerm::SkinMembraneTerm(const Layout& layout, const mesh::BodyMesh& mesh, const materials::SkinMembrane& law)
-    : layout_(layout), law_(law) {
+SkinMembraneTerm::SkinMembraneTerm(const Field& positions, const mesh::BodyMesh& mesh, const materials::SkinMembrane& law)
+    : positions_(positions), law_(law) {
   const mesh::FacetKind kind = facet_kind(mesh.kind);
   for (const auto& nodes : mesh.skin_facets) {
     Element element{nodes, {}};
@@ -22,13 +22,13 @@ SkinMembraneTerm::SkinMembraneTerm(const Layout& layout, const mesh::BodyMesh& m
       const Eigen::Matrix2d T = e.transpose() * p.tangent;
       element.points.push_back({(shape.dN * T.inverse()).transpose(), q.weight * p.area});
     }
-    entries_.push(facet_entries(layout, nodes));
+    entries_.push(facet_entries(positions, nodes));
     elements_.push_back(element);
   }
 }
 
-NodeVectors<9> SkinMembraneTerm::positions(const State& state, const Element& element) const {
-  return facet_positions(state, layout_, element.nodes);
+NodeVectors<9> SkinMembraneTerm::places(const State& state, const Element& element) const {
+  return facet_positions(state, positions_, element.nodes);
 }
 
 materials::MembraneResponse SkinMembraneTerm::response(const NodeVectors<9>& x, const Point& point) const {
@@ -39,7 +39,7 @@ materials::MembraneResponse SkinMembraneTerm::response(const NodeVectors<9>& x, 
 double SkinMembraneTerm::energy(const State& state) const {
   double sum = 0.0;
   for (const Element& element : elements_) {
-    const NodeVectors<9> x = positions(state, element);
+    const NodeVectors<9> x = places(state, element);
     for (const Point& point : element.points) sum += state.stiffening * point.weight * response(x, point).energy;
   }
   return sum;
@@ -48,7 +48,7 @@ double SkinMembraneTerm::energy(const State& state) const {
 bool SkinMembraneTerm::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<MembraneElement<9>> slots(128);
   const auto compute = [&](int e, MembraneElement<9>& slot) {
-    const NodeVectors<9> x = positions(state, elements_[e]);
+    const NodeVectors<9> x = places(state, elements_[e]);
     slot.zero();
     for (const Point& point : elements_[e].points)
       add_membrane_point<9>(x, point.d, state.stiffening * point.weight, response(x, point), wanted(tangent), slot);

@@ -14,10 +14,10 @@ namespace snug::solver {
 
 class SkinMembraneTerm : public Term {
  public:
-  SkinMembraneTerm(const Layout& layout, const mesh::BodyMesh& mesh, const materials::SkinMembrane& law);
+  SkinMembraneTerm(const Field& positions, const mesh::BodyMesh& mesh, const materials::SkinMembrane& law);
 
   std::string name() const override { return "skin membrane"; }
-  const ElementEntries& entries() const override { return entries_; }
+  const ElementEntries& entries(const State&) const override { return entries_; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
 
@@ -31,9 +31,9 @@ class SkinMembraneTerm : public Term {
     std::vector<Point> points;
   };
   materials::MembraneResponse response(const NodeVectors<9>& x, const Point& point) const;
-  NodeVectors<9> positions(const State& state, const Element& element) const;
+  NodeVectors<9> places(const State& state, const Element& element) const;
 
-  Layout layout_;
+  Field positions_;
   materials::SkinMembrane law_;
   std::vector<Element> elements_;
   ElementEntries entries_;

@@ -1,4 +1,5 @@
-// A term of the scene's energy: one file a physics. A term knows the state and its own data, no other term and no load path.
+// A term of the scene's energy: one file a physics. A term knows its fields and its own data, no load path, and of other terms
+// those that it is built on. All that changes is in the state: a term answers the same for the same state.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "solver/algebra/layout.hpp"
 #include "solver/algebra/sparse_scatter.hpp"
 #include "solver/algebra/state.hpp"
 
@@ -41,9 +43,10 @@ inline bool wanted(Tangent tangent) { return tangent != Tangent::none; }
 class Term {
  public:
   virtual ~Term() = default;
+  /// Its own in a scene: its history stands in the state under it.
   virtual std::string name() const = 0;
-  /// The state entries that each element couples; may change in `update`.
-  virtual const ElementEntries& entries() const = 0;
+  /// The state entries that each element couples. They change with the history: the same object as long as they are the same.
+  virtual const ElementEntries& entries(const State& state) const = 0;
   /// Energy (J) at the state where one exists, NaN where none does.
   virtual double energy(const State&) const { return std::numeric_limits<double>::quiet_NaN(); }
   /// Residual (gradient of the energy) and, if wanted, its derivative, element by element.
@@ -53,17 +56,29 @@ class Term {
   virtual double step_bound(const State&, const Eigen::VectorXd& direction, double limit) const { return limit; }
   /// Gives its step to what the term eliminated: entries without unknowns follow from the step of the others.
   virtual void recover(const State&, Eigen::VectorXd&) const {}
-  /// Looks at a new iterate (search, active set) before assembly. Returns true when `entries` changed.
-  virtual bool update(const State&) { return false; }
-  /// Renews what stands still while Newton's method iterates (the quadrature of contact), before an increment.
-  virtual void renew(const State&) {}
-  /// Writes the history of an accepted state, the one that `update` saw last, into it.
-  virtual void commit(State&) const {}
   virtual void measure(const State&, Measure&) const {}
+
+  /// Renews in the history what stands still while Newton's method iterates (the quadrature of contact), before an increment.
+  virtual void renew(State&) const {}
+  /// Looks at a new iterate (search, active set) before it is assembled.
+  virtual void update(State&) const {}
+  /// Takes an accepted state, which `update` saw, for the one that history starts from.
+  virtual void commit(State&) const {}
+  /// The history of another scene's state that this one goes on from, where the term takes it over.
+  virtual void carry(const State& /*from*/, State&) const {}
+  /// Its history from a file: as it was when it was stored.
+  virtual void restore(State&) const {}
+
   /// False where the tangent is not symmetric: a force that derives from no energy.
   virtual bool symmetric() const { return true; }
   /// A force from outside, which the balance of the supports counts.
   virtual bool is_load() const { return false; }
+  /// It resists bending: whole steps of Newton's method lead uphill first, and a line search along them would stop them.
+  virtual bool bends() const { return false; }
+  /// `renew` moves the answer a little, so that it is wanted once more near it.
+  virtual bool renews_near_answer() const { return false; }
+  /// Adds its weights (N/m, one an entry) to those of the proximal term: for parts that may be without stiffness of their own.
+  virtual void damp(Eigen::VectorXd& /*weights*/) const {}
 };
 
 }  // namespace snug::solver

@@ -89,7 +89,7 @@ class CellKernel final : public Tissue::Kernel {
   };
 
  public:
-  CellKernel(const Layout& layout, const mesh::BodyMesh& mesh, const std::vector<materials::SolidLaw>& laws)
+  CellKernel(const Tissue::Fields& field, const mesh::BodyMesh& mesh, const std::vector<materials::SolidLaw>& laws)
       : to_nodes_(points_to_nodes(mesh.kind)) {
     const PressureUnknowns unknowns = pressure_unknowns(mesh);
     cells_.resize(mesh.cells.size());
@@ -98,11 +98,11 @@ class CellKernel final : public Tissue::Kernel {
       const CellTable table = tabulate(mesh, static_cast<int>(c));
       cell.law = &laws[mesh.cell_layer[c]];
       cell.split = materials::is_split(*cell.law);
-      cell.own = layout.cell_field(2 * modes * static_cast<int>(c));
+      cell.own = field.cells(2 * modes * static_cast<int>(c));
       cell.gradient = table.gradient, cell.weight = table.weight;
       for (int a = 0; a < nodes; ++a)
-        for (int i = 0; i < 3; ++i) cell.entry[3 * a + i] = layout.body(mesh.cells[c][a], i);
-      for (int v = 0; v < vertices; ++v) cell.entry[positions + v] = layout.pressure(unknowns.of_cell[c][v]);
+        for (int i = 0; i < 3; ++i) cell.entry[3 * a + i] = field.positions(mesh.cells[c][a], i);
+      for (int v = 0; v < vertices; ++v) cell.entry[positions + v] = field.pressures(unknowns.of_cell[c][v]);
       entries.push(cell.entry);
       if constexpr (vertices > 0) {
         cell.mode = vertex_shapes();
@@ -351,23 +351,23 @@ class CellKernel final : public Tissue::Kernel {
   std::vector<Cell> cells_;
 };
 
-std::unique_ptr<Tissue::Kernel> make_kernel(const Layout& layout, const mesh::BodyMesh& mesh,
+std::unique_ptr<Tissue::Kernel> make_kernel(const Tissue::Fields& fields, const mesh::BodyMesh& mesh,
                                             const std::vector<materials::SolidLaw>& laws) {
   switch (mesh.kind) {
-    case mesh::CellKind::hex27: return std::make_unique<CellKernel<27, 27, 4, 0>>(layout, mesh, laws);
-    case mesh::CellKind::hex8: return std::make_unique<CellKernel<8, 8, 1, 0>>(layout, mesh, laws);
-    case mesh::CellKind::tet10: return std::make_unique<CellKernel<10, 14, 0, 4>>(layout, mesh, laws);
+    case mesh::CellKind::hex27: return std::make_unique<CellKernel<27, 27, 4, 0>>(fields, mesh, laws);
+    case mesh::CellKind::hex8: return std::make_unique<CellKernel<8, 8, 1, 0>>(fields, mesh, laws);
+    case mesh::CellKind::tet10: return std::make_unique<CellKernel<10, 14, 0, 4>>(fields, mesh, laws);
   }
   return nullptr;
 }
 
 }  // namespace
 
-Tissue::Tissue(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<materials::SolidLaw> laws)
-    : laws_(std::move(laws)), kernel_(make_kernel(layout, mesh, laws_)) {}
+Tissue::Tissue(std::string name, const Fields& fields, const mesh::BodyMesh& mesh, std::vector<materials::SolidLaw> laws)
+    : name_(std::move(name)), laws_(std::move(laws)), kernel_(make_kernel(fields, mesh, laws_)) {}
 Tissue::~Tissue() = default;
 
-const ElementEntries& Tissue::entries() const { return kernel_->entries; }
+const ElementEntries& Tissue::entries(const State&) const { return kernel_->entries; }
 double Tissue::energy(const State& state) const { return kernel_->energy(state); }
 bool Tissue::assemble(const State& state, Tangent tangent, Sink& sink) const {
   return kernel_->assemble(state, wanted(tangent), sink);

@@ -30,17 +30,22 @@ namespace snug::solver {
 /// Laws without a split (bone) take the plain displacement form in the same cells.
 class Tissue : public Term {
  public:
+  /// Of the body's nodes; of its pressure unknowns (tetrahedra); dilatations and pressures of its cells (hexahedra).
+  struct Fields {
+    Field positions, pressures, cells;
+  };
   /// `laws[l]` belongs to layer l of the mesh.
-  Tissue(const Layout& layout, const mesh::BodyMesh& mesh, std::vector<materials::SolidLaw> laws);
+  Tissue(std::string name, const Fields& fields, const mesh::BodyMesh& mesh, std::vector<materials::SolidLaw> laws);
   ~Tissue() override;
 
-  std::string name() const override { return "tissue"; }
-  const ElementEntries& entries() const override;
+  std::string name() const override { return name_; }
+  const ElementEntries& entries(const State& state) const override;
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
   void recover(const State& state, Eigen::VectorXd& step) const override;
   void measure(const State& state, Measure& measure) const override;
+  bool bends() const override { return true; }
 
   /// Cauchy stress (Pa; rows xx yy zz xy yz xz) at the nodes of a cell, extrapolated from the quadrature points.
   Eigen::Matrix<double, 6, Eigen::Dynamic> nodal_stress(const State& state, int cell) const;
@@ -48,6 +53,7 @@ class Tissue : public Term {
   class Kernel;  ///< the cells of one kind
 
  private:
+  std::string name_;
   std::vector<materials::SolidLaw> laws_;
   std::unique_ptr<Kernel> kernel_;
 };

@@ -36,20 +36,19 @@ class NullSink : public solver::Sink {
 
 template <class T>
 void tangent(benchmark::State& loop) {
-  const Bench bench = Bench::make();
+  Bench bench = Bench::make();
   auto* term = bench.scene.find<T>();
-  term->update(bench.state);
+  bench.scene.look(bench.state);
   NullSink sink;
   for (auto _ : loop) term->assemble(bench.state, solver::Tangent::full, sink);
-  loop.SetItemsProcessed(loop.iterations() * term->entries().elements());
+  loop.SetItemsProcessed(loop.iterations() * term->entries(bench.state).elements());
 }
 
 void search(benchmark::State& loop) {
-  const Bench bench = Bench::make();
+  Bench bench = Bench::make();
   auto* contact = bench.scene.find<solver::Contact>();
-  contact->update(bench.state);
   for (auto _ : loop) contact->update(bench.state);
-  loop.SetItemsProcessed(loop.iterations() * static_cast<long>(contact->places().size()));
+  loop.SetItemsProcessed(loop.iterations() * static_cast<long>(contact->places(bench.state).size()));
 }
 
 void assemble_and_solve(benchmark::State& loop) {

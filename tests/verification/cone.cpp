@@ -110,14 +110,14 @@ ConeAnswer solve(const input::Case& c, double cell) {
   ConeAnswer answer{};
   for (const int node : garment.edges.at("upper")) {
     if (garment.merged[node] != node) continue;  // sewn nodes once
-    const int entry = scene.layout().garment(node);
+    const int entry = scene.layout()["garment"](node);
     const Eigen::Vector3d x = path.state.values.segment<3>(entry), f = residual.segment<3>(entry);
     const Eigen::Vector3d down = on_cone(std::atan2(x.y(), x.x()), 1.0) - on_cone(std::atan2(x.y(), x.x()), 0.0);
     answer.tension -= f.dot(down) / (2.0 * std::numbers::pi * rest_radius);
   }
   const auto& edge = garment.edges.at("lower");
   for (const int node : edge)
-    answer.small_radius += path.state.values.segment<2>(scene.layout().garment(garment.merged[node])).norm() / edge.size();
+    answer.small_radius += path.state.values.segment<2>(scene.layout()["garment"](garment.merged[node])).norm() / edge.size();
   answer.tension = std::abs(answer.tension);
   return answer;
 }

@@ -25,18 +25,18 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
     const Eigen::Vector2d& x = garment.pattern[node];
     const double edge = std::min({x.x(), x.y(), 1.0 - x.x(), 1.0 - x.y()});
     if (edge < 1e-12)
-      for (int c = 0; c < 2; ++c) press.fixed.fix(layout.garment(static_cast<int>(node), c));
+      for (int c = 0; c < 2; ++c) press.fixed.fix(layout["garment"](static_cast<int>(node), c));
   }
   solver::Scene scene(layout, solver::Numbering(fixed.master));
-  scene.add(std::make_unique<solver::Tissue>(layout, body, std::vector<materials::SolidLaw>{tissue(shear, 0.45)}));
+  scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(layout, "body"), body, std::vector<materials::SolidLaw>{tissue(shear, 0.45)}));
   input::MaterialReference cloth;
   cloth.table = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, garment, materials::find_fabric(cloth), 1.05));
-  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, garment), body, true, 1e6,
+  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], garment, materials::find_fabric(cloth), 1.05));
+  scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], garment), solver::MasterSurface(layout["body"], body, body.skin_facets)}, 1e6,
                                               solver::GapBasis::hat));
   solver::NodalForces weight(garment.pattern.size(), Eigen::Vector3d::Zero());
   solver::add_weight(garment, 1.0, {0.0, 0.0, -pressure}, weight);  // Pa of the pattern
-  scene.add(std::make_unique<solver::DeadLoad>(layout, solver::NodalForces(), weight));
+  scene.add(std::make_unique<solver::DeadLoad>("weight of the garment", layout["garment"], weight));
   State state = solver::placed_state(layout, body, garment);
   state.load = 1.0;
   solver::NewtonSettings settings;
@@ -45,10 +45,10 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   ASSERT_EQ(outcome, solver::Outcome::converged) << to_string(outcome);
 
   double worst = 0.0, settled = 0.0, uneven = 0.0;
-  for (int i = 0; i < layout.multipliers; ++i)
-    worst = std::max(worst, std::abs(state.values[layout.multiplier(i)] / pressure - 1.0));
+  for (int i = 0; i < layout["contact"].count; ++i)
+    worst = std::max(worst, std::abs(state.values[layout["contact"](i)] / pressure - 1.0));
   std::vector<double> heights;
-  for (const int node : body.surface("top")->nodes) heights.push_back(state.values[layout.body(node, 2)]);
+  for (const int node : body.surface("top")->nodes) heights.push_back(state.values[layout["body"](node, 2)]);
   for (const double z : heights) settled += z / static_cast<double>(heights.size());
   for (const double z : heights) uneven = std::max(uneven, std::abs(z - settled));
   book("3 patch test", "largest deviation of a multiplier from the load", worst, 0.0, 1e-10, "equilibrium, reference book 3");

@@ -38,14 +38,14 @@ struct SoftDrum {
   solver::Numbering numbering(const solver::Layout& layout) const {
     std::vector<int> master(layout.size());
     for (int i = 0; i < layout.size(); ++i) master[i] = i;
-    for (int i = 0; i < layout.cell_fields; ++i) master[layout.cell_field(i)] = -1;
-    for (int node = 0; node < layout.body_nodes; ++node) master[layout.body(node, 2)] = -1;
+    for (int i = 0; i < layout["body cells"].count; ++i) master[layout["body cells"](i)] = -1;
+    for (int node = 0; node < layout["body"].count; ++node) master[layout["body"](node, 2)] = -1;
     for (const int node : body.bone_nodes)
-      for (int c = 0; c < 2; ++c) master[layout.body(node, c)] = -1;
-    for (int node = 0; node < layout.garment_nodes; ++node) master[layout.garment(node, 2)] = -1;
+      for (int c = 0; c < 2; ++c) master[layout["body"](node, c)] = -1;
+    for (int node = 0; node < layout["garment"].count; ++node) master[layout["garment"](node, 2)] = -1;
     for (const auto& [name, nodes] : band.edges)
       for (const int node : nodes)
-        for (int c = 0; c < 2; ++c) master[layout.garment(node, c)] = -1;
+        for (int c = 0; c < 2; ++c) master[layout["garment"](node, c)] = -1;
     return solver::Numbering(std::move(master));
   }
 
@@ -53,12 +53,12 @@ struct SoftDrum {
     const solver::Layout layout = solver::make_layout(body, band, true, true);
     solver::Scene scene(layout, numbering(layout));
     materials::SolidLaw tissue = materials::find_tissue(body.layers.front().material).law;
-    scene.add(std::make_unique<solver::Tissue>(layout, body, std::vector<materials::SolidLaw>(body.layers.size(), tissue)));
-    scene.add(std::make_unique<solver::FabricMembrane>(layout, band, tests::straight_fabric(strip.k, 0.3 * strip.k)));
-    scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, band), body, true,
+    scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(layout, "body"), body, std::vector<materials::SolidLaw>(body.layers.size(), tissue)));
+    scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], band, tests::straight_fabric(strip.k, 0.3 * strip.k)));
+    scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], band), solver::MasterSurface(layout["body"], body, body.skin_facets)},
                                                 strip.k / (band.mean_edge * band.mean_edge), solver::GapBasis::hat));
     if (friction > 0.0)
-      scene.add(std::make_unique<solver::Friction>(layout, *scene.find<solver::Contact>(), friction,
+      scene.add(std::make_unique<solver::Friction>("friction", *scene.find<solver::Contact>(), friction,
                                                    strip.elastic_slip * band.mean_edge));
     return scene;
   }
@@ -67,7 +67,7 @@ struct SoftDrum {
   Eigen::Vector3d pull(const solver::Scene& scene, const solver::State& state, const std::string& edge) const {
     const Eigen::VectorXd residual = scene.full_residual(state);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : band.edges.at(edge)) sum += residual.segment<3>(scene.layout().garment(node));
+    for (const int node : band.edges.at(edge)) sum += residual.segment<3>(scene.layout()["garment"](node));
     return sum;
   }
 };
@@ -83,7 +83,7 @@ TEST(SoftFriction, CapstanHoldsOnATubeThatGivesWay) {
     solver::Scene smooth = drum.scene(0.0), rough = drum.scene(mu);
     solver::State start = solver::placed_state(smooth.layout(), drum.body, drum.band);
     start.load = 1.0;
-    start.values.tail(smooth.layout().multipliers).setConstant(s.k * 0.1 * 1.1 / s.radius);
+    start.values.tail(smooth.layout()["contact"].count).setConstant(s.k * 0.1 * 1.1 / s.radius);
     solver::PathSettings settings;
     settings.newton.penetration = 1e-6 * drum.band.mean_edge;
     int iterations = 0;
@@ -94,7 +94,7 @@ TEST(SoftFriction, CapstanHoldsOnATubeThatGivesWay) {
       const double lift = 1.0 + 0.1 * t;
       for (const char* edge : {"start", "end"})
         for (const int node : drum.band.edges.at(edge))
-          state.values.segment<3>(rough.layout().garment(node)) =
+          state.values.segment<3>(rough.layout()["garment"](node)) =
               Eigen::AngleAxisd(0.25 * t, Eigen::Vector3d::UnitZ()) *
               drum.band.placed[node].cwiseProduct(Eigen::Vector3d(lift, lift, 1.0));
     };
@@ -108,8 +108,8 @@ TEST(SoftFriction, CapstanHoldsOnATubeThatGivesWay) {
     for (const auto& vertex : rough.find<solver::Friction>()->vertex_tractions(path.state))
       sticks += vertex.slip == solver::Friction::Slip::stick;
     double sunk = 0.0;
-    for (int node = 0; node < rough.layout().body_nodes; ++node)
-      sunk = std::max(sunk, (path.state.values.segment<3>(rough.layout().body(node)) - drum.body.nodes[node]).norm());
+    for (int node = 0; node < rough.layout()["body"].count; ++node)
+      sunk = std::max(sunk, (path.state.values.segment<3>(rough.layout()["body"](node)) - drum.body.nodes[node]).norm());
     fmt::print("soft capstan, mu {}: turns {:.2f} deg, pulls {:.5f} and {:.5f} N, skin moves {:.2f} mm, {} vertices stick, {} increments, {} iterations\n",
                mu, turned * 180 / pi, first.norm(), last.norm(), sunk * 1e3, sticks, path.increments, iterations);
     EXPECT_EQ(sticks, 0);

@@ -62,7 +62,7 @@ TEST_P(PullOff, ASleeveIsPulledOffWithFrictionTimesItsNormalForce) {
   const auto& edge = meshes.garment.edges.at("upper");
   const auto pull = [&](solver::State& state, double t) {
     for (const int node : edge)
-      state.values[rough.layout().garment(node, 2)] = tight.state.values[rough.layout().garment(node, 2)] + 0.02 * t;
+      state.values[rough.layout()["garment"](node, 2)] = tight.state.values[rough.layout()["garment"](node, 2)] + 0.02 * t;
   };
   settings.first_step = 0.1;
   const auto path = solver::follow_path(rough, tight.state, pull, settings, count);

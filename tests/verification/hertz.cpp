@@ -38,24 +38,23 @@ struct Indentation {
                             }),
               sheet({tool_cells, 1}, {tool_width, thickness}, [&](const Eigen::Vector2d& x) { return shape(x.x()); }, 0.0)),
         scene(press.layout, solver::Numbering(numbered())) {
-    scene.add(std::make_unique<solver::Tissue>(press.layout, press.body,
+    scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(press.layout, "body"), press.body,
                                                std::vector<materials::SolidLaw>{tissue(shear, poisson)}));
-    scene.add(std::make_unique<solver::Contact>(press.layout, solver::garment_slave(press.layout, press.garment), press.body,
-                                                true, shear / half_width, solver::GapBasis::hat));
+    scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{press.layout["contact"], solver::garment_slave(press.layout["garment"], press.garment), solver::MasterSurface(press.layout["body"], press.body, press.body.skin_facets)}, shear / half_width, solver::GapBasis::hat));
     state = solver::placed_state(press.layout, press.body, press.garment);
     state.load = 1.0;
   }
 
   std::vector<int> numbered() {
     for (std::size_t node = 0; node < press.garment.pattern.size(); ++node)
-      for (int c = 0; c < 3; ++c) press.fixed.fix(press.layout.garment(static_cast<int>(node), c));
+      for (int c = 0; c < 3; ++c) press.fixed.fix(press.layout["garment"](static_cast<int>(node), c));
     return press.fixed.master;
   }
 
   /// Lowers the tool to `depth` below where it was made.
   solver::Outcome lower(double depth) {
     for (std::size_t node = 0; node < press.garment.pattern.size(); ++node)
-      state.values[press.layout.garment(static_cast<int>(node), 2)] = press.garment.placed[node].z() - depth;
+      state.values[press.layout["garment"](static_cast<int>(node), 2)] = press.garment.placed[node].z() - depth;
     solver::NewtonSettings settings;
     return solver::newton(scene, state, settings, [](const postproc::Iteration&) {});
   }
@@ -73,7 +72,7 @@ struct Indentation {
     const auto* contact = scene.find<solver::Contact>();
     for (std::size_t node = 0; node < press.garment.pattern.size(); ++node)
       if (const int i = contact->multiplier_of(static_cast<int>(node)); i >= 0)
-        list.emplace_back(press.garment.pattern[node].x(), state.values[press.layout.multiplier(i)]);
+        list.emplace_back(press.garment.pattern[node].x(), state.values[press.layout["contact"](i)]);
     std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
     return list;
   }

@@ -102,7 +102,7 @@ TEST(HertzSolids, TwoEqualSpheres) {
   TwoSolids balls(ball(a, 16, 3, -1.0), ball(a, 15, 2, 1.0));
   for (const Solid* solid : {&balls.master, &balls.slave}) {
     for (const int node : solid->mesh.surface("front")->nodes)
-      balls.fixed.master[balls.layout.body(node, 2)] = balls.layout.body(node, 0);
+      balls.fixed.master[balls.entry(*solid, node, 2)] = balls.entry(*solid, node, 0);
     balls.hold(*solid, "back", 2), balls.hold(*solid, "left", 0), balls.hold(*solid, "left", 2);
   }
   balls.hold(balls.master, "bottom", 1);

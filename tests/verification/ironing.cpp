@@ -39,7 +39,7 @@ struct Ironing : TwoSolids {
     for (int c = 0; c < 2; ++c) hold(master, "bottom", c), hold(slave, "top", c);
     solver::Scene made = TwoSolids::scene();
     const double edge = mesh::mean_edge(slave.mesh, slave.mesh.surface("bottom")->facets);
-    made.add(std::make_unique<solver::Friction>(layout, *made.find<solver::Contact>(), coefficient,
+    made.add(std::make_unique<solver::Friction>("friction", *made.find<solver::Contact>(), coefficient,
                                                 solver::Friction::usual_elastic_slip * edge));
     return made;
   }
@@ -50,7 +50,7 @@ struct Ironing : TwoSolids {
     const auto place = [&](State& s, double t) {
       const Eigen::Vector2d at = from + t * (to - from);
       for (const int node : slave.mesh.surface("top")->nodes)
-        s.values.segment<2>(layout.body(node)) = reference(node).head<2>() + Eigen::Vector2d(at.x(), -at.y());
+        s.values.segment<2>(entry(slave, node)) = slave.mesh.nodes[node].head<2>() + Eigen::Vector2d(at.x(), -at.y());
       s.load = 1.0;
     };
     const auto path = solver::follow_path(scene, state, place, settings, [](const postproc::Iteration&) {});
@@ -61,7 +61,7 @@ struct Ironing : TwoSolids {
   Eigen::Vector3d force() const {
     const Eigen::VectorXd residual = scene.full_residual(state);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : slave.mesh.surface("top")->nodes) sum += residual.segment<3>(layout.body(node));
+    for (const int node : slave.mesh.surface("top")->nodes) sum += residual.segment<3>(layout["body"](node));
     return sum;
   }
   double stored_energy() const {

@@ -45,7 +45,7 @@ struct Truss {
     c.body->kind = "imported";
   }
   int apex() const { return static_cast<int>(mesh.nodes.size()) - 2; }
-  double sunk(const solver::Layout& layout, const solver::State& state) const { return rise - state.values[layout.body(apex(), 2)]; }
+  double sunk(const solver::Layout& layout, const solver::State& state) const { return rise - state.values[layout["body"](apex(), 2)]; }
 };
 
 /// Force on the apex (of half the truss) at the sinking w, St. Venant & Kirchhoff: E A (w^2/2 - h w) (w - h) / L0^3.

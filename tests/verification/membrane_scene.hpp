@@ -129,28 +129,27 @@ struct Sheet {
       for (int b = 0; b < size(); ++b)
         if (left(mesh.pattern[a]) && right(mesh.pattern[b]) && std::abs(mesh.pattern[a].y() - mesh.pattern[b].y()) < 1e-9) {
           mesh.merged[b] = a;
-          for (int c = 0; c < 3; ++c) master[layout.garment(b, c)] = layout.garment(a, c);
+          for (int c = 0; c < 3; ++c) master[layout["garment"](b, c)] = layout["garment"](a, c);
         }
   }
   /// Holds components of the nodes whose place in the pattern satisfies `where`.
   void hold(const std::vector<int>& components, const std::function<bool(const Plane&)>& where) {
     for (int node = 0; node < size(); ++node)
       if (where(mesh.pattern[node]))
-        for (const int c : components) master[layout.garment(node, c)] = -1;
+        for (const int c : components) master[layout["garment"](node, c)] = -1;
   }
   solver::Scene scene() const {
     solver::Scene scene(layout, solver::Numbering(master));
-    auto membrane = std::make_unique<solver::FabricMembrane>(layout, mesh, fabric);
+    auto membrane = std::make_unique<solver::FabricMembrane>(layout["garment"], mesh, fabric);
     membrane->set_final_eta(eta);
     scene.add(std::move(membrane));
-    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>(layout, mesh, fabric.bending));
+    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>(layout["garment"], mesh, fabric.bending));
     if (pressure != 0.0) {
-      auto load = std::make_unique<solver::PressureLoad>(layout, mesh, -pressure);
+      auto load = std::make_unique<solver::PressureLoad>(layout["garment"], mesh, -pressure);
       load->hold_border(scene.numbering());
       scene.add(std::move(load));
     }
-    scene.add(std::make_unique<solver::DeadLoad>(layout, solver::NodalForces(), forces));
-    scene.set_proximal_weights(solver::proximal_weights(layout, mesh, fabric));
+    scene.add(std::make_unique<solver::DeadLoad>("weight of the garment", layout["garment"], forces));
     return scene;
   }
   /// From the places in `mesh.placed`; the load goes from nothing to full along `homotopy`.
@@ -162,7 +161,7 @@ struct Sheet {
     });
     EXPECT_TRUE(answer.complete) << answer.message << " at " << answer.reached;
   }
-  Eigen::Vector3d at(int node) const { return answer.state.values.segment<3>(layout.garment(mesh.merged[node])); }
+  Eigen::Vector3d at(int node) const { return answer.state.values.segment<3>(layout["garment"](mesh.merged[node])); }
   int node_at(const Plane& place) const {
     int best = 0;
     for (int node = 1; node < size(); ++node)
@@ -175,7 +174,7 @@ struct Sheet {
     const Eigen::VectorXd residual = scene().full_residual(answer.state);
     std::map<int, Eigen::Vector3d> forces;
     for (int node = 0; node < size(); ++node)
-      if (where(mesh.pattern[node])) forces[node] = residual.segment<3>(layout.garment(node));
+      if (where(mesh.pattern[node])) forces[node] = residual.segment<3>(layout["garment"](node));
     return forces;
   }
   /// Deformation gradient (3 x 2, along the pattern) at area coordinates of a triangle.

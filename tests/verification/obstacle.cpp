@@ -58,13 +58,13 @@ Answer solve(int n) {
   Fixed fixed(layout);
   for (std::size_t node = 0; node < membrane.placed.size(); ++node)
     if (membrane.placed[node].head<2>().cwiseAbs().maxCoeff() > 2.0 - 1e-9)
-      for (int c = 0; c < 3; ++c) fixed.fix(layout.garment(static_cast<int>(node), c));
+      for (int c = 0; c < 3; ++c) fixed.fix(layout["garment"](static_cast<int>(node), c));
   solver::Scene scene(layout, solver::Numbering(std::move(fixed.master)));
   materials::Fabric fabric;  // equal tension both ways: S E = tension at the strain of the prestretch
   fabric.warp = fabric.weft = materials::TensionCurve::linear(tension / (0.5 * (prestretch * prestretch - 1.0)));
   fabric.shear = tension;
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, membrane, fabric, prestretch));
-  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, membrane), body, false, tension / (membrane.mean_edge * membrane.mean_edge),
+  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], membrane, fabric, prestretch));
+  scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], membrane), solver::MasterSurface(layout["body"], body, body.skin_facets)}, tension / (membrane.mean_edge * membrane.mean_edge),
                                               solver::GapBasis::hat));
   solver::State start = solver::placed_state(layout, body, membrane);
   start.load = 1.0;
@@ -75,15 +75,15 @@ Answer solve(int n) {
   Answer a;
   const auto& contact = *scene.find<solver::Contact>();
   double area = 0.0, count = 0.0, ring = 0.0;
-  for (int node = 0; node < layout.garment_nodes; ++node) {
-    const Eigen::Vector3d x = path.state.values.segment<3>(layout.garment(node));
+  for (int node = 0; node < layout["garment"].count; ++node) {
+    const Eigen::Vector3d x = path.state.values.segment<3>(layout["garment"](node));
     const double r = x.head<2>().norm(), u = x.z() / shallow;
     const double exact = r < contact_radius ? std::sqrt(1.0 - r * r) : free_height(r);
     a.rms += (u - exact) * (u - exact);
     count += 1.0;
     if (std::abs(r - 1.0) < 0.1) a.at_one += u / free_height(r) * at_one, ring += 1.0;
     const int i = contact.multiplier_of(node);
-    if (i >= 0 && contact.active()[i]) area += contact.rest_area(i);
+    if (i >= 0 && contact.active(path.state)[i]) area += contact.rest_area(i);
   }
   for (const auto& point : contact.point_forces(path.state)) a.force += point.force.z() / (tension * shallow);
   a.rms = std::sqrt(a.rms / count), a.at_one /= ring, a.radius = std::sqrt(area / std::numbers::pi);

@@ -169,7 +169,7 @@ TEST(OffAxis, SeamLeavesAUniformFieldAsItIs) {
       for (int c = 0; c < 3; ++c) {
         const int first = sheet.mesh.merged[node];
         const bool moves = c < 2 && used[first] && !rim(node % nodes);
-        sheet.master[sheet.layout.garment(node, c)] = moves ? sheet.layout.garment(first, c) : -1;
+        sheet.master[sheet.layout["garment"](node, c)] = moves ? sheet.layout["garment"](first, c) : -1;
       }
     sheet.settings.newton.residual = 1e-12;
     sheet.solve([](solver::State& state, double) { state.load = 1.0; });

@@ -56,7 +56,8 @@ struct Fixed {
   std::vector<int> master;
   explicit Fixed(const Layout& layout) : master(layout.size()) {
     for (int i = 0; i < layout.size(); ++i) master[i] = i;
-    for (int i = 0; i < layout.cell_fields; ++i) fix(layout.cell_field(i));
+    for (const solver::Field& field : layout.fields())
+      for (int i = 0; i < field.size() && field.rows == solver::Rows::cell; ++i) fix(field.first + i);
   }
   void fix(int entry) { master[entry] = -1; }
 };
@@ -79,7 +80,7 @@ struct Press {
     body.skin_facets = body.surface("top")->facets;
     body.mean_skin_cell = mesh::mean_edge(body, body.skin_facets);
     const auto slide = [&](const std::string& face, int component) {
-      for (const int node : body.surface(face)->nodes) fixed.fix(layout.body(node, component));
+      for (const int node : body.surface(face)->nodes) fixed.fix(layout["body"](node, component));
     };
     slide("left", 0), slide("right", 0), slide("front", 1), slide("back", 1), slide("bottom", 2);
   }

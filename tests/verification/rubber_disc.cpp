@@ -22,22 +22,22 @@ struct RubberDisc {
     for (const auto& t : flat.triangles) body.skin_facets.push_back({t[0], t[1], t[2], t[3], t[4], t[5], -1, -1, -1});
     layout = solver::make_layout(body, {}, true, false);
     for (int i = 0; i < layout.size(); ++i) master.push_back(i);
-    for (int node = 0; node < layout.body_nodes; ++node) {
+    for (int node = 0; node < layout["body"].count; ++node) {
       const Plane& x = flat.pattern[node];
       const bool at_rim = x.norm() > (1.0 - 1e-9) * radius;
       if (at_rim) rim.push_back(node);
       for (int c = 0; c < 3; ++c)
-        if (at_rim || (c < 2 && x[c] < 1e-9 * radius)) master[layout.body(node, c)] = -1;
+        if (at_rim || (c < 2 && x[c] < 1e-9 * radius)) master[layout["body"](node, c)] = -1;
     }
   }
   solver::Scene scene(const materials::SkinMembrane& law, double pressure) const {
     solver::Scene scene(layout, solver::Numbering(master));
-    scene.add(std::make_unique<solver::SkinMembraneTerm>(layout, body, law));
-    auto load = std::make_unique<solver::PressureLoad>(layout, body, "disc", body.skin_facets, -pressure);
+    scene.add(std::make_unique<solver::SkinMembraneTerm>(layout["body"], body, law));
+    auto load = std::make_unique<solver::PressureLoad>(layout["body"], body, "disc", body.skin_facets, -pressure);
     load->hold_border(scene.numbering());
     scene.add(std::move(load));
     const double stiffness = law.thickness * materials::initial_shear_modulus(law.law);
-    scene.set_proximal_weights(Eigen::VectorXd::Constant(layout.size(), stiffness));
+    scene.damp(Eigen::VectorXd::Constant(layout.size(), stiffness));
     return scene;
   }
   solver::State start() const { return solver::placed_state(layout, body, {}); }
@@ -47,13 +47,13 @@ Inflated inflate(const RubberDisc& disc, const materials::SkinMembrane& law, dou
   solver::Scene scene = disc.scene(law, pressure);
   const auto path = solver::follow_path(scene, disc.start(), solver::tightening(), {}, [](const auto&) {});
   EXPECT_TRUE(path.complete) << path.message << " at " << path.reached;
-  const auto at = [&](int node) -> Eigen::Vector3d { return path.state.values.segment<3>(disc.layout.body(node)); };
+  const auto at = [&](int node) -> Eigen::Vector3d { return path.state.values.segment<3>(disc.layout["body"](node)); };
   Inflated answer{};
   answer.height = at(0).z();
   answer.pole_stretch = pole_stretch(at(0), at(disc.flat.triangles[0][3]), at(disc.flat.triangles[0][1]), disc.radius * ring_radius(1, disc.rings));
   const Eigen::VectorXd residual = scene.full_residual(path.state);
   std::map<int, Eigen::Vector3d> reactions;
-  for (const int node : disc.rim) reactions[node] = residual.segment<3>(disc.layout.body(node));
+  for (const int node : disc.rim) reactions[node] = residual.segment<3>(disc.layout["body"](node));
   add_rim(reactions, [&](int node) { return disc.flat.pattern[node]; }, disc.radius, answer);
   return answer;
 }
@@ -125,7 +125,7 @@ TEST(RubberDisc, GrowsPastItsLimitPressureAlongTheCurve) {
   solver::Scene scene = disc.scene(rubber("law = 'neo-Hooke'\nshear_modulus = '1 Pa'", 1.0), full);
   std::vector<std::pair<double, double>> pressure, height;  // over the pole's stretch
   const auto stretch = [&](const solver::State& state) {
-    const auto at = [&](int node) -> Eigen::Vector3d { return state.values.segment<3>(disc.layout.body(node)); };
+    const auto at = [&](int node) -> Eigen::Vector3d { return state.values.segment<3>(disc.layout["body"](node)); };
     return pole_stretch(at(0), at(disc.flat.triangles[0][3]), at(disc.flat.triangles[0][1]), disc.radius * ring_radius(1, disc.rings));
   };
   solver::ArcSettings settings;
@@ -133,7 +133,7 @@ TEST(RubberDisc, GrowsPastItsLimitPressureAlongTheCurve) {
   settings.stop = [&](const solver::State& state) { return stretch(state) > 4.3; };
   settings.accepted = [&](const solver::Scene&, const solver::State& state, int) {
     pressure.emplace_back(stretch(state), full * state.load);
-    height.emplace_back(stretch(state), state.values[disc.layout.body(0, 2)]);
+    height.emplace_back(stretch(state), state.values[disc.layout["body"](0, 2)]);
   };
   const auto start = solver::follow_path(scene, disc.start(), solver::tightening(0.0, 0.4), {}, [](const auto&) {});
   ASSERT_TRUE(start.complete) << start.message;

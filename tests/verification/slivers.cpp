@@ -49,7 +49,7 @@ double largest_miss(BlockCase& c, const Eigen::Vector3d& size) {
   double miss = 0.0;
   for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
     miss = std::max(miss, (c.mesh.nodes[node] + a.result.body.displacement[node] - gradient * c.mesh.nodes[node]).norm());
-  const auto pressures = a.path.state.values.segment(a.layout.pressure(0), a.layout.pressures);  // of tetrahedra
+  const auto pressures = a.path.state.values.segment(a.layout.positions(), a.layout["body pressure"].count);  // of tetrahedra
   if (pressures.size() > 0) {
     EXPECT_LE(pressures.maxCoeff() / pressures.minCoeff() - 1.0, 1e-6);
   }

@@ -49,16 +49,16 @@ TEST(SmoothBand, PressesAnEllipseWithTensionTimesCurvature) {
   const solver::Layout& layout = scene.layout();
   solver::State start = solver::placed_state(layout, body, band);
   start.load = 1.0;
-  start.values.tail(layout.multipliers).setConstant(1000.0);
+  start.values.tail(layout["contact"].count).setConstant(1000.0);
   const auto path = solver::follow_path(scene, start, [](solver::State&, double) {}, settings_for(band), [](const auto&) {});
   ASSERT_TRUE(path.complete) << path.message;
   const auto& contact = *scene.find<solver::Contact>();
   double major = 0.0, minor = 0.0, near_major = 1.0, near_minor = 1.0;
-  for (int node = 0; node < layout.garment_nodes; ++node) {
+  for (int node = 0; node < layout["garment"].count; ++node) {
     const int i = contact.multiplier_of(node);
     if (i < 0 || std::abs(band.pattern[node].y()) > 1e-12) continue;
-    const Eigen::Vector3d x = path.state.values.segment<3>(layout.garment(node));
-    const double t = std::atan2(x.y() / ellipse.b, x.x() / ellipse.a), p = path.state.values[layout.multiplier(i)] / 1.05;
+    const Eigen::Vector3d x = path.state.values.segment<3>(layout["garment"](node));
+    const double t = std::atan2(x.y() / ellipse.b, x.x() / ellipse.a), p = path.state.values[layout["contact"](i)] / 1.05;
     if (std::abs(t) < near_major) near_major = std::abs(t), major = p;
     if (std::abs(t - 0.5 * pi) < near_minor) near_minor = std::abs(t - 0.5 * pi), minor = p;
   }
@@ -86,22 +86,22 @@ TEST(SmoothBand, TwoPanelsInSeriesShareTheirTension) {
   const solver::Layout layout = solver::make_layout(body, ring, false, true);
   std::vector<int> master(layout.size());
   for (int i = 0; i < layout.size(); ++i) master[i] = i;
-  for (int node = 0; node < layout.garment_nodes; ++node)
-    for (int c = 0; c < 3; ++c) master[layout.garment(node, c)] = layout.garment(ring.merged[node], c);
-  for (int node = 0; node < layout.garment_nodes; ++node) master[layout.garment(node, 2)] = -1;
+  for (int node = 0; node < layout["garment"].count; ++node)
+    for (int c = 0; c < 3; ++c) master[layout["garment"](node, c)] = layout["garment"](ring.merged[node], c);
+  for (int node = 0; node < layout["garment"].count; ++node) master[layout["garment"](node, 2)] = -1;
   for (int j = 0; j < 5; ++j)  // the ring may not turn
-    for (const int node : {j * columns, j * columns + columns - 1}) master[layout.garment(node, 1)] = -1;
+    for (const int node : {j * columns, j * columns + columns - 1}) master[layout["garment"](node, 1)] = -1;
   solver::Scene scene(layout, solver::Numbering(std::move(master)));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, first, tests::straight_fabric(k1, 0.3 * k1)));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, second, tests::straight_fabric(k2, 0.3 * k2)));
-  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, ring), body, false,
+  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], first, tests::straight_fabric(k1, 0.3 * k1)));
+  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], second, tests::straight_fabric(k2, 0.3 * k2)));
+  scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], ring), solver::MasterSurface(layout["body"], body, body.skin_facets)},
                                               k2 / (ring.mean_edge * ring.mean_edge), solver::GapBasis::hat));
   solver::State start = solver::placed_state(layout, body, ring);
   start.load = 1.0;
-  start.values.tail(layout.multipliers).setConstant(3000.0);
+  start.values.tail(layout["contact"].count).setConstant(3000.0);
   const auto path = solver::follow_path(scene, start, [](solver::State&, double) {}, settings_for(ring), [](const auto&) {});
   ASSERT_TRUE(path.complete) << path.message;
-  const Eigen::Vector3d x = path.state.values.segment<3>(layout.garment(2 * columns + seam));
+  const Eigen::Vector3d x = path.state.values.segment<3>(layout["garment"](2 * columns + seam));
   const double angle = std::atan2(x.y(), x.x()), arc = angle < 0.0 ? angle + 2.0 * pi : angle;
   const double stretch1 = radius * arc / l1, stretch2 = radius * (2.0 * pi - arc) / l2;
   const char* source = "closed form, reference book 3";

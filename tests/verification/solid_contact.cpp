@@ -41,14 +41,14 @@ Solid upper_block(const Arrangement& a) {
 }
 
 struct Blocks : TwoSolids {
-  const Solid &lower, &upper;
+  Solid &lower, &upper;
   explicit Blocks(const Arrangement& a)
       : TwoSolids(a.lower_is_slave ? upper_block(a) : lower_block(a), a.lower_is_slave ? lower_block(a) : upper_block(a)),
         lower(a.lower_is_slave ? slave : master), upper(a.lower_is_slave ? master : slave) {
     for (const Solid* solid : {&lower, &upper}) hold(*solid, "front", 2), hold(*solid, "back", 2);
   }
-  void load(const Solid& solid, const std::string& face, const Eigen::Vector3d& traction) {
-    solver::add_traction(solid.mesh, solid.mesh.surface(face)->facets, traction, forces);
+  void load(Solid& solid, const std::string& face, const Eigen::Vector3d& traction) {
+    solver::add_traction(solid.mesh, solid.mesh.surface(face)->facets, traction, solid.forces);
   }
 };
 
@@ -77,20 +77,20 @@ Errors press_along_the_normal(const Arrangement& arrangement) {
   const double pressure = 0.02, angle = arrangement.degrees * std::numbers::pi / 180.0;
   Blocks blocks(arrangement);
   const Eigen::Vector3d n(-std::sin(angle), std::cos(angle), 0.0), middle(0.5, 1.0, 0.0);
-  for (const Solid* solid : {&blocks.lower, &blocks.upper}) {
+  for (Solid* solid : {&blocks.lower, &blocks.upper}) {
     const Pressed at(*solid, pressure);
     const auto load = [&](const std::string& face, const Eigen::Vector3d& normal) {
       blocks.load(*solid, face, -pressure * n.dot(normal) * n + at.lateral * (normal - n.dot(normal) * n));
     };
     load("left", -Eigen::Vector3d::UnitX()), load("right", Eigen::Vector3d::UnitX());
     if (solid == &blocks.upper) load("top", Eigen::Vector3d::UnitY());
-    for (const int node : TwoSolids::nodes_of(*solid))
-      blocks.state.values.segment<3>(blocks.layout.body(node)) += at.strain * n.dot(blocks.reference(node) - middle) * n;
+    for (int node = 0; node < static_cast<int>(solid->mesh.nodes.size()); ++node)
+      blocks.state.values.segment<3>(blocks.entry(*solid, node)) += at.strain * n.dot(solid->mesh.nodes[node] - middle) * n;
   }
   for (int c = 0; c < 3; ++c) blocks.hold(blocks.lower, "bottom", c);
-  blocks.fixed.fix(blocks.layout.body(blocks.upper.mesh.surface("top")->nodes.front(), 0));  // else it slides
+  blocks.fixed.fix(blocks.entry(blocks.upper, blocks.upper.mesh.surface("top")->nodes.front(), 0));  // else it slides
   // closed at the start: nothing but contact holds the upper block up
-  blocks.state.values.tail(blocks.layout.multipliers).setConstant(0.5 * pressure);
+  blocks.state.values.tail(blocks.layout["contact"].count).setConstant(0.5 * pressure);
   solver::Scene scene = blocks.scene();
   EXPECT_EQ(blocks.solve(scene, 1e-13), solver::Outcome::converged) << arrangement.words();
 
@@ -141,13 +141,13 @@ TEST(SolidContact, BlocksWithFreeSidesSettleAsInLinearTheory) {
   blocks.load(blocks.upper, "top", {0.0, -pressure, 0.0});
   blocks.hold(blocks.lower, "bottom", 1);
   for (const Solid* solid : {&blocks.lower, &blocks.upper})
-    blocks.fixed.fix(blocks.layout.body(solid->mesh.surface("bottom")->nodes.front(), 0));
-  blocks.state.values.tail(blocks.layout.multipliers).setConstant(0.5 * pressure);
+    blocks.fixed.fix(blocks.entry(*solid, solid->mesh.surface("bottom")->nodes.front(), 0));
+  blocks.state.values.tail(blocks.layout["contact"].count).setConstant(0.5 * pressure);
   solver::Scene scene = blocks.scene();
   ASSERT_EQ(blocks.solve(scene, 1e-14), solver::Outcome::converged);
   double sunk = 0.0;
   const auto& top = blocks.upper.mesh.surface("top")->nodes;
-  for (const int node : top) sunk += (2.0 - blocks.place(node).y()) / static_cast<double>(top.size());
+  for (const int node : top) sunk += (2.0 - blocks.place(blocks.upper, node).y()) / static_cast<double>(top.size());
   const std::string source = "reference book 3, patch test; bound: order of the strain";
   book("3 patch test of two blocks, free sides", "settlement, E2 = 1e6 E1", sunk / pressure, 0.91 + 9.1e-7, 1e-5, source);
   book("3 patch test of two blocks, free sides", "contact pressure: largest deviation", blocks.unevenness(pressure), 0.0, 1e-5, source);

@@ -208,8 +208,8 @@ TEST(Torsion, MomentAndAxialForceOfATurnedCylinder) {
   const Eigen::VectorXd residual = scene.full_residual(path.state);
   double moment = 0.0, axial = 0.0;
   for (const int node : meshes.body.surface("upper")->nodes) {
-    const Eigen::Vector3d x = path.state.values.segment<3>(scene.layout().body(node));
-    const Eigen::Vector3d f = residual.segment<3>(scene.layout().body(node));
+    const Eigen::Vector3d x = path.state.values.segment<3>(scene.layout()["body"](node));
+    const Eigen::Vector3d f = residual.segment<3>(scene.layout()["body"](node));
     moment += x.x() * f.y() - x.y() * f.x(), axial += f.z();
   }
   book("torsion of a cylinder, Mooney-Rivlin", "moment [kPa mm3], 0.05 rad/mm", 1e6 * moment, 7853.9816339745, 2e-4,
@@ -254,7 +254,7 @@ TEST(Inversion, AMisplacedInnerNodeComesHomeOrIsRefused) {
     solver::State state = solver::placed_state(scene.layout(), c.mesh, none);
     for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
       if ((c.mesh.nodes[node] - Eigen::Vector3d(0.5, 0.5, 0.5)).norm() < 1e-9)
-        state.values[scene.layout().body(static_cast<int>(node))] = x;
+        state.values[scene.layout()["body"](static_cast<int>(node))] = x;
     return state;
   };
   solver::State inverted = start(1.4);  // ln J has no value there: named, not NaN

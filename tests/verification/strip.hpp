@@ -87,22 +87,22 @@ inline mesh::GarmentMesh strip_mesh(const Strip& s) {
 inline solver::Numbering strip_numbering(const solver::Layout& layout, const mesh::GarmentMesh& mesh) {
   std::vector<int> master(layout.size());
   for (int i = 0; i < layout.size(); ++i) master[i] = i;
-  for (int node = 0; node < layout.garment_nodes; ++node) master[layout.garment(node, 2)] = -1;
+  for (int node = 0; node < layout["garment"].count; ++node) master[layout["garment"](node, 2)] = -1;
   for (const auto& [name, nodes] : mesh.edges)
     for (const int node : nodes)
-      for (int c = 0; c < 3; ++c) master[layout.garment(node, c)] = -1;
+      for (int c = 0; c < 3; ++c) master[layout["garment"](node, c)] = -1;
   return solver::Numbering(std::move(master));
 }
 
 inline solver::Scene strip_scene(const Strip& s, const mesh::GarmentMesh& mesh, const mesh::BodyMesh& body) {
   const solver::Layout layout = solver::make_layout(body, mesh, false, true);
   solver::Scene scene(layout, strip_numbering(layout, mesh));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout, mesh, straight_fabric(s.k, 0.3 * s.k)));
+  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], mesh, straight_fabric(s.k, 0.3 * s.k)));
   const double stiffness = s.k / (mesh.mean_edge * mesh.mean_edge);
-  scene.add(std::make_unique<solver::Contact>(layout, solver::garment_slave(layout, mesh), body, false, stiffness,
+  scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], mesh), solver::MasterSurface(layout["body"], body, body.skin_facets)}, stiffness,
                                               solver::GapBasis::hat));
   if (s.friction > 0.0)
-    scene.add(std::make_unique<solver::Friction>(layout, *scene.find<solver::Contact>(), s.friction,
+    scene.add(std::make_unique<solver::Friction>("friction", *scene.find<solver::Contact>(), s.friction,
                                                  s.elastic_slip * mesh.mean_edge));
   return scene;
 }
@@ -113,7 +113,7 @@ inline double edge_tension(const Strip& s, const solver::Scene& scene, const sol
   const Eigen::VectorXd residual = scene.full_residual(state);
   double sum = 0.0;
   for (const int node : nodes) {
-    const int entry = scene.layout().garment(node);
+    const int entry = scene.layout()["garment"](node);
     const Eigen::Vector3d x = state.values.segment<3>(entry), f = residual.segment<3>(entry);
     sum += f.dot(Eigen::Vector3d(-x.y(), x.x(), 0.0).normalized());
   }
@@ -126,10 +126,10 @@ inline double slip_arc(const Strip& s, const solver::Scene& scene, const solver:
   if (!friction) return 0.0;
   const auto tractions = friction->vertex_tractions(state);
   double stuck = 0.0;  // angle of the last vertex that sticks
-  for (int node = 0; node < scene.layout().garment_nodes; ++node) {
+  for (int node = 0; node < scene.layout()["garment"].count; ++node) {
     const int i = contact->multiplier_of(node);
     if (i < 0 || tractions[i].slip == solver::Friction::Slip::slip) continue;
-    const Eigen::Vector3d x = state.values.segment<3>(scene.layout().garment(node));
+    const Eigen::Vector3d x = state.values.segment<3>(scene.layout()["garment"](node));
     stuck = std::max(stuck, std::atan2(x.y(), x.x()));
   }
   return s.span + s.lead_end - stuck;
@@ -143,7 +143,7 @@ inline std::vector<StripPoint> middle_line(const Strip& s, const mesh::GarmentMe
   const auto tractions = scene.find<solver::Friction>()->vertex_tractions(state);
   const int columns = 2 * s.cells + 1, first = 2 * columns;
   const auto angle = [&](int column) {
-    const Eigen::Vector3d x = state.values.segment<3>(scene.layout().garment(first + column));
+    const Eigen::Vector3d x = state.values.segment<3>(scene.layout()["garment"](first + column));
     return std::atan2(x.y(), x.x());
   };
   std::vector<StripPoint> points;
@@ -151,7 +151,7 @@ inline std::vector<StripPoint> middle_line(const Strip& s, const mesh::GarmentMe
     const int i = contact.multiplier_of(first + column);
     const double rest = mesh.pattern[first + column + 1].x() - mesh.pattern[first + column - 1].x();
     const double stretch = s.radius * std::remainder(angle(column + 1) - angle(column - 1), 2.0 * std::numbers::pi) / rest;
-    points.push_back({angle(column), state.values[scene.layout().multiplier(i)] / stretch, tractions[i].traction.norm() / stretch});
+    points.push_back({angle(column), state.values[scene.layout()["contact"](i)] / stretch, tractions[i].traction.norm() / stretch});
   }
   return points;
 }
@@ -164,12 +164,12 @@ inline StripAnswer run(const Strip& s, double first_step = 0.1, const solver::It
   solver::State start = solver::placed_state(layout, body, mesh);
   const double stretch = s.radius * s.span / s.rest_length;
   start.load = 1.0;
-  start.values.tail(layout.multipliers).setConstant(s.k * (stretch - 1.0) * stretch / s.radius);
+  start.values.tail(layout["contact"].count).setConstant(s.k * (stretch - 1.0) * stretch / s.radius);
   const auto lead = [&](solver::State& state, double t) {
     for (const auto& [name, angle] : {std::pair{"start", t * s.lead_start}, std::pair{"end", t * s.lead_end}})
       for (const int node : mesh.edges.at(name)) {
         const double from = std::string(name) == "start" ? 0.0 : s.span;
-        state.values.segment<3>(layout.garment(node)) = on_cylinder(s.radius, from + angle, mesh.placed[node].z());
+        state.values.segment<3>(layout["garment"](node)) = on_cylinder(s.radius, from + angle, mesh.placed[node].z());
       }
   };
   solver::PathSettings settings;

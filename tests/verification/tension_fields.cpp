@@ -31,7 +31,7 @@ double torque(double outer, double nu, double eta, int across = 16) {
   sheet.hold({0, 1}, [&](const Plane& x) { return inner(x) || x.norm() > outer - 1e-9; });
   for (int node = 0; node < sheet.size(); ++node) {
     for (int c = 0; c < 3; ++c)
-      sheet.master[sheet.layout.garment(node, c)] = sheet.master[sheet.layout.garment(sheet.mesh.merged[node], c)];
+      sheet.master[sheet.layout["garment"](node, c)] = sheet.master[sheet.layout["garment"](sheet.mesh.merged[node], c)];
     // Starts with the turn of a sheet that does not wrinkle.
     const Plane& x = sheet.mesh.pattern[node];
     const double t = turn * (outer * outer / x.squaredNorm() - 1.0) / (outer * outer - 1.0);

@@ -46,12 +46,12 @@ struct Tubes : TwoSolids {
     return sum;
   }
   double widened(const Solid& solid, const std::string& surface) const {
-    return mean(solid, surface, [&](int node) { return place(node).head<2>().norm() - reference(node).head<2>().norm(); });
+    return mean(solid, surface, [&](int node) { return place(solid, node).head<2>().norm() - solid.mesh.nodes[node].head<2>().norm(); });
   }
   double hoop(const Solid& solid, const std::string& surface) const {
     const auto stress = nodal_stress(*this, solid);
     return mean(solid, surface, [&](int node) {
-      const Eigen::Vector3d x = place(node), t = Eigen::Vector3d(-x.y(), x.x(), 0.0).normalized();
+      const Eigen::Vector3d x = place(solid, node), t = Eigen::Vector3d(-x.y(), x.x(), 0.0).normalized();
       return t.dot(stress.at(node) * t);
     });
   }
@@ -106,9 +106,9 @@ Squeezed squeeze(int fine, CellKind kind) {
   const double pressure = 1e-4, c2 = rim * rim, a2 = bore * bore, b2 = interface * interface;
   const double exact = pressure * c2 * (1.0 - a2 / b2) / (c2 - a2);
   Tubes tubes({1.0, 0.3}, {1.0, 0.3}, fine, 4, 0.0, kind, true);
-  tubes.state.values.tail(tubes.layout.multipliers).setConstant(0.5 * pressure);  // closed at the start
+  tubes.state.values.tail(tubes.layout["contact"].count).setConstant(0.5 * pressure);  // closed at the start
   solver::Scene scene = tubes.scene();
-  auto load = std::make_unique<solver::PressureLoad>(tubes.layout, tubes.outer.mesh, "rim",
+  auto load = std::make_unique<solver::PressureLoad>(tubes.layout["garment"], tubes.outer.mesh, "rim",
                                                      tubes.outer.mesh.surface("top")->facets, pressure);
   load->hold_border(scene.numbering());
   scene.add(std::move(load));

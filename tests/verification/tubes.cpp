@@ -300,8 +300,8 @@ TEST(Flexure, TheMomentOfABentBlock) {
     const Eigen::VectorXd residual = scene.full_residual(a.path.state);
     double moment = 0.0;
     for (const int node : c.mesh.surface("top")->nodes) {
-      const Eigen::Vector3d x = a.path.state.values.segment<3>(scene.layout().body(node)) + Eigen::Vector3d(row.inner, 0.0, 0.0);
-      const Eigen::Vector3d f = residual.segment<3>(scene.layout().body(node));
+      const Eigen::Vector3d x = a.path.state.values.segment<3>(scene.layout()["body"](node)) + Eigen::Vector3d(row.inner, 0.0, 0.0);
+      const Eigen::Vector3d f = residual.segment<3>(scene.layout()["body"](node));
       moment += (x.x() * f.y() - x.y() * f.x()) / 0.1;
     }
     const std::string scene_name = fmt::format("flexure of a block, curvature {}", row.curvature);

@@ -4,7 +4,6 @@
 #include <Eigen/Dense>
 
 #include <map>
-#include <set>
 
 #include "solver/stepping/newton.hpp"
 #include "solver/terms/contact.hpp"
@@ -43,54 +42,60 @@ struct Solid {
   BodyMesh mesh;
   std::string surface;
   double youngs_modulus, poisson;  ///< Pa, -
+  std::string part = {};           ///< "master" or "slave"
+  solver::NodalForces forces = {}; ///< dead, N
 
   materials::SolidLaw law() const { return linear_elastic(youngs_modulus, poisson); }
 };
 
-/// Master, of any cells, and slave, of quadratic tetrahedra; both linear elastic. Each mesh has the nodes of both, the
-/// master's first, and its own cells.
+/// Master, of any cells, and slave, of quadratic tetrahedra; both linear elastic.
 struct TwoSolids {
   Solid master, slave;
   Layout layout;
   Fixed fixed;
-  solver::NodalForces forces;  ///< dead, N
   State state;
 
-  TwoSolids(Solid m, Solid s)
-      : master(std::move(m)), slave(std::move(s)), layout(number()), fixed(layout),
-        forces(layout.body_nodes, Eigen::Vector3d::Zero()) {
-    for (int i = 0; i < layout.pressures; ++i) fixed.fix(layout.pressure(i));  // the law has none
-    std::set<int> used = nodes_of(master);
-    used.merge(nodes_of(slave));
-    for (int node = 0; node < layout.body_nodes; ++node)
-      for (int c = 0; c < 3 && !used.contains(node); ++c) fixed.fix(layout.body(node, c));
-    state = solver::placed_state(layout, master.mesh, {});
+  TwoSolids(Solid m, Solid s) : master(std::move(m)), slave(std::move(s)), layout(number()), fixed(layout) {
+    state.values = Eigen::VectorXd::Zero(layout.size());
     state.load = 1.0;
+    for (Solid* solid : {&master, &slave}) {
+      const auto pressures = solver::body_fields(layout, solid->part).pressures;
+      for (int i = 0; i < pressures.count; ++i) fixed.fix(pressures(i));  // the law has none
+      solid->forces.assign(solid->mesh.nodes.size(), Eigen::Vector3d::Zero());
+      for (std::size_t node = 0; node < solid->mesh.nodes.size(); ++node)
+        state.values.segment<3>(entry(*solid, static_cast<int>(node))) = solid->mesh.nodes[node];
+    }
   }
+
+  int entry(const Solid& solid, int node, int component = 0) const { return layout[solid.part](node, component); }
 
   /// A component of all nodes of a surface stays where the state has it.
   void hold(const Solid& solid, const std::string& surface, int component) {
-    for (const int node : solid.mesh.surface(surface)->nodes) fixed.fix(layout.body(node, component));
+    for (const int node : solid.mesh.surface(surface)->nodes) fixed.fix(entry(solid, node, component));
   }
 
   /// A rigid plate on a surface of the slave, which moves along y under a force (N) along -y. What holds the slave up is
   /// contact: it starts `overlap` (m) deep in the master.
   void press(const std::string& surface, double force, double overlap) {
     const auto& plate = slave.mesh.surface(surface)->nodes;
-    for (const int node : plate) fixed.master[layout.body(node, 1)] = layout.body(plate.front(), 1);
-    forces[plate.front()].y() -= force;
-    for (const int node : nodes_of(slave)) state.values[layout.body(node, 1)] -= overlap;
+    for (const int node : plate) fixed.master[entry(slave, node, 1)] = entry(slave, plate.front(), 1);
+    slave.forces[plate.front()].y() -= force;
+    for (std::size_t node = 0; node < slave.mesh.nodes.size(); ++node) state.values[entry(slave, static_cast<int>(node), 1)] -= overlap;
   }
 
   solver::Scene scene() const {
     solver::Scene scene(layout, solver::Numbering(fixed.master));
-    scene.add(std::make_unique<solver::Tissue>(layout, master.mesh, std::vector<materials::SolidLaw>{master.law()}));
-    scene.add(std::make_unique<solver::Tissue>(layout, slave.mesh, std::vector<materials::SolidLaw>{slave.law()}));
+    for (const Solid* solid : {&master, &slave}) {
+      scene.add(std::make_unique<solver::Tissue>("tissue of " + solid->part, solver::body_fields(layout, solid->part), solid->mesh,
+                                                 std::vector<materials::SolidLaw>{solid->law()}));
+      auto load = std::make_unique<solver::DeadLoad>("load on " + solid->part, layout[solid->part], solid->forces);
+      if (!load->empty()) scene.add(std::move(load));
+    }
     const double shear = std::max(materials::initial_shear_modulus(master.law()), materials::initial_shear_modulus(slave.law()));
-    scene.add(std::make_unique<solver::Contact>(layout, slave_surface(), master.mesh, true,
-                                                3.0 * shear / master.mesh.mean_skin_cell, solver::GapBasis::hat));
-    if (std::any_of(forces.begin(), forces.end(), [](const auto& f) { return !f.isZero(0.0); }))
-      scene.add(std::make_unique<solver::DeadLoad>(layout, forces));
+    solver::MasterSurface below(layout["master"], master.mesh, master.mesh.surface(master.surface)->facets);
+    const double stiffness = 3.0 * shear / below.mean_edge();
+    scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], slave_surface(layout), std::move(below)},
+                                                stiffness, solver::GapBasis::hat));
     return scene;
   }
 
@@ -108,10 +113,10 @@ struct TwoSolids {
   };
   std::vector<Vertex> vertices() const {
     std::vector<Vertex> list;
-    const auto surface = slave_surface();
-    for (int node = 0; node < layout.body_nodes; ++node)
+    const auto surface = slave_surface(layout);
+    for (int node = 0; node < layout["slave"].count; ++node)
       if (const int i = surface.vertex_of_node[node]; i >= 0)
-        list.push_back({node, state.values[layout.multiplier(i)], surface.area[i]});
+        list.push_back({node, state.values[layout["contact"](i)], surface.area[i]});
     return list;
   }
   double mean_pressure() const {
@@ -123,7 +128,7 @@ struct TwoSolids {
   std::map<double, double> profile(double length, const std::function<double(const Eigen::Vector3d&)>& coordinate) const {
     std::map<long, std::pair<double, int>> rows;
     for (const Vertex& v : vertices()) {
-      auto& [sum, count] = rows[std::lround(1e6 * coordinate(reference(v.node)) / length)];
+      auto& [sum, count] = rows[std::lround(1e6 * coordinate(slave.mesh.nodes[v.node]) / length)];
       sum += v.pressure, ++count;
     }
     std::map<double, double> list;
@@ -137,46 +142,26 @@ struct TwoSolids {
     return worst;
   }
 
-  static std::set<int> nodes_of(const Solid& solid) {
-    std::set<int> nodes;
-    for (const auto& cell : solid.mesh.cells)
-      for (int a = 0; a < node_count(solid.mesh.kind); ++a) nodes.insert(cell[a]);
-    return nodes;
-  }
-  Eigen::Vector3d reference(int node) const { return master.mesh.nodes[node]; }
-  Eigen::Vector3d place(int node) const { return state.values.segment<3>(layout.body(node)); }
+  Eigen::Vector3d place(const Solid& solid, int node) const { return state.values.segment<3>(entry(solid, node)); }
 
  private:
-  solver::ContactSlave slave_surface() const {
-    return solver::surface_slave(layout, slave.mesh, slave.mesh.surface(slave.surface)->facets);
+  solver::ContactSlave slave_surface(const Layout& fields) const {
+    return solver::surface_slave(fields["slave"], slave.mesh, slave.mesh.surface(slave.surface)->facets);
   }
 
   Layout number() {
-    BodyMesh &a = master.mesh, &b = slave.mesh;
-    const int first = static_cast<int>(a.nodes.size());
-    const auto shift = [&](auto& nodes) {
-      for (int& node : nodes)
-        if (node >= 0) node += first;
-    };
-    for (auto& cell : b.cells) shift(cell);
-    for (auto& surface : b.surfaces) {
-      shift(surface.nodes);
-      for (auto& facet : surface.facets) shift(facet);
-    }
-    a.nodes.insert(a.nodes.end(), b.nodes.begin(), b.nodes.end());
-    b.nodes = a.nodes;
-    a.skin_facets = a.surface(master.surface)->facets;
-    a.mean_skin_cell = mesh::mean_edge(a, a.skin_facets);
-    Layout made = solver::make_layout(a, {}, true, false);
-    made.pressures = std::max(made.pressures, solver::make_layout(b, {}, true, false).pressures);
-    made.multipliers = solver::surface_slave(made, b, b.surface(slave.surface)->facets).vertices();
+    Layout made;
+    master.part = "master", slave.part = "slave";
+    for (const Solid* solid : {&master, &slave}) solver::add_positions(made, solid->part, solid->mesh);
+    for (const Solid* solid : {&master, &slave}) solver::add_pressures(made, solid->part, solid->mesh);
+    solver::add_multipliers(made, "contact", slave_surface(made).vertices());
     return made;
   }
 };
 
 /// Cauchy stress (Pa) at the nodes of one solid, the mean over the cells of a node; by node.
 inline std::map<int, Eigen::Matrix3d> nodal_stress(const TwoSolids& two, const Solid& solid) {
-  const solver::Tissue tissue(two.layout, solid.mesh, {solid.law()});
+  const solver::Tissue tissue("tissue", solver::body_fields(two.layout, solid.part), solid.mesh, {solid.law()});
   std::map<int, Eigen::Matrix3d> stress;
   std::map<int, int> cells;
   for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c) {

@@ -28,8 +28,8 @@ struct ShakenBlock {
         state(solver::placed_state(scene.layout(), block.mesh, {})) {
     const solver::Layout& layout = scene.layout();
     state.load = 0.6, state.stiffening = 2.0;
-    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 0.02, 1);
-    state.values.segment(layout.pressure(0), layout.pressures) = random_vector(layout.pressures, 500.0, 3);
+    state.values.head(layout.positions()) += random_vector(layout.positions(), 0.02, 1);
+    state.values.segment(layout.positions(), layout["body pressure"].count) = random_vector(layout["body pressure"].count, 500.0, 3);
     settle(tissue(), state);
   }
 
@@ -40,7 +40,7 @@ struct ShakenBlock {
     const solver::Layout& layout = scene.layout();
     const int modes = solver::pressure_modes(block.mesh.kind);
     for (std::size_t c = 0; c < block.mesh.cells.size(); ++c) {
-      const int first = layout.cell_field(2 * modes * static_cast<int>(c));
+      const int first = layout["body cells"](2 * modes * static_cast<int>(c));
       state.values.segment(first, modes) += random_vector(modes, 0.02, 100 + static_cast<unsigned>(c));
       state.values.segment(first + modes, modes) += random_vector(modes, 500.0, 200 + static_cast<unsigned>(c));
     }
@@ -62,7 +62,7 @@ struct ShakenBlock {
   Eigen::VectorXd direction() const {
     const solver::Layout& layout = scene.layout();
     Eigen::VectorXd d = random_vector(layout.size(), 1.0, 2);
-    d.segment(layout.pressure(0), layout.pressures) *= 1e4;
+    d.segment(layout.positions(), layout["body pressure"].count) *= 1e4;
     tissue().recover(state, d);
     return d;
   }
@@ -97,7 +97,7 @@ TEST_P(Cells, ResidualIsTheGradientWithTheFieldsHeld) {
   shaken.unsettle();
   const solver::Layout& layout = shaken.scene.layout();
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout.size());
-  direction.head(layout.pressure(0)) = random_vector(layout.pressure(0), 1.0, 2);
+  direction.head(layout.positions()) = random_vector(layout.positions(), 1.0, 2);
   const auto energy = [&](double s) {
     State moved = shaken.state;
     moved.values += s * direction;
@@ -118,7 +118,7 @@ TEST_P(Cells, EliminationIsTheNewtonStepOfAllFields) {
   const State& state = shaken.state;
   const Assembled at = assemble(shaken.tissue(), state, Tangent::full);
   Eigen::VectorXd step = Eigen::VectorXd::Zero(state.values.size());
-  step.head(shaken.scene.layout().pressure(0)) = random_vector(shaken.scene.layout().pressure(0), 1e-3, 5);
+  step.head(shaken.scene.layout().positions()) = random_vector(shaken.scene.layout().positions(), 1e-3, 5);
   shaken.tissue().recover(state, step);
   const auto moved = [&](double s) {
     State m = state;
@@ -143,7 +143,7 @@ TEST_P(Cells, EliminationIsTheNewtonStepOfAllFields) {
     shaken.tissue().recover(m, rest);
     Eigen::VectorXd full = Eigen::VectorXd::Zero(state.values.size());
     shaken.tissue().recover(state, full);
-    return (rest - (1.0 - s) * full).segment(shaken.scene.layout().cell_field(0), 1)[0];
+    return (rest - (1.0 - s) * full).segment(shaken.scene.layout()["body cells"](0), 1)[0];
   };
   EXPECT_NEAR(off(0.2) / off(0.1), 4.0, 0.3);
 }
@@ -189,7 +189,7 @@ TEST(Loads, DeadLoadsSumToTractionTimesAreaAndWeight) {
     const ShakenBlock shaken(kind, neo_hooke(500.0, 0.4999));
     const Assembled at = assemble(*shaken.scene.find<solver::DeadLoad>(), shaken.state, Tangent::none);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int node = 0; node < shaken.scene.layout().body_nodes; ++node) sum += at.residual.segment<3>(3 * node);
+    for (int node = 0; node < shaken.scene.layout()["body"].count; ++node) sum += at.residual.segment<3>(3 * node);
     const Eigen::Vector3d exact(100.0, 50.0, 20.0 - 1060.0 * 9.81);  // on 1 m2, of 1 m3 of tissue
     EXPECT_LE((sum + 0.6 * exact).norm(), 1e-11 * exact.norm()) << to_string(kind);
   }

@@ -43,7 +43,7 @@ Sheet tube(int n, int m) {
 TEST(FabricBending, TangentAndResidualAreDerivativesByRate) {
   // On a sewn tube, dented by 3 % of its radius; the seam's edges among the others.
   const Sheet sheet = tube(6, 2);
-  FabricBending bending(sheet.layout, sheet.mesh, knit);
+  FabricBending bending(sheet.layout["garment"], sheet.mesh, knit);
   State state = placed(sheet);
   state.values += random_vector(state.values.size(), 3e-4, 1);
   const Eigen::VectorXd direction = random_vector(state.values.size(), 1.0, 2);
@@ -68,7 +68,7 @@ TEST(FabricBending, TangentAndResidualAreDerivativesByRate) {
 TEST(FabricBending, WithoutTurningNormalsTheTangentOfARolledTubeHasNoNegativeEigenvalueToSpeakOf) {
   // Positive for flat triangles (edge_penalty); neighbours at an angle may take a share of some 1e-8.
   const Sheet sheet = tube(16, 2);
-  const FabricBending bending(sheet.layout, sheet.mesh, knit);
+  const FabricBending bending(sheet.layout["garment"], sheet.mesh, knit);
   const auto smallest = [&](solver::Tangent tangent) {
     const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(assemble(bending, placed(sheet), tangent).tangent).eigenvalues();
     return values.minCoeff() / values.maxCoeff();
@@ -79,11 +79,11 @@ TEST(FabricBending, WithoutTurningNormalsTheTangentOfARolledTubeHasNoNegativeEig
 
 TEST(FabricBending, AFlatPieceMovedAsABodyCostsNothing) {
   const Sheet sheet = rectangle(5, 2);
-  const FabricBending bending(sheet.layout, sheet.mesh, knit);
+  const FabricBending bending(sheet.layout["garment"], sheet.mesh, knit);
   State state = placed(sheet);
   const Eigen::AngleAxisd turn(2.0, Eigen::Vector3d(1, 2, 3).normalized());
   for (int node = 0; node < sheet.size(); ++node)
-    state.values.segment<3>(sheet.layout.garment(node)) = turn * sheet.mesh.placed[node] + Eigen::Vector3d(0.01, -0.02, 0.005);
+    state.values.segment<3>(sheet.layout["garment"](node)) = turn * sheet.mesh.placed[node] + Eigen::Vector3d(0.01, -0.02, 0.005);
   const double scale = 4e-6 * 0.06 * 0.02 / (0.06 * 0.06);  // J, of a bend over its length
   EXPECT_LE(bending.energy(state), 1e-20 * scale);
   EXPECT_LE(assemble(bending, state, solver::Tangent::none).residual.norm(), 1e-11 * scale / 0.06);
@@ -93,13 +93,13 @@ TEST(FabricBending, AnEvenBendCostsWhatOrthotropySaysInEveryDirection) {
   // Along the direction at the angle a to the warp: k11 = k cos^2 a, k22 = k sin^2 a, 2 k12 = 2 k sin a cos a, with twist
   // stiffness sqrt(B1 B2)/2; small slopes, quadratic shape: exact on any mesh, no edge turns.
   const Sheet sheet = rectangle(5, 2);
-  const FabricBending bending(sheet.layout, sheet.mesh, knit);
+  const FabricBending bending(sheet.layout["garment"], sheet.mesh, knit);
   const double k = 1e-3;  // 1/m
   for (const double angle : {0.0, 0.3, 0.8, 1.2, 0.5 * std::numbers::pi}) {
     const Plane along(std::cos(0.4 + angle), std::sin(0.4 + angle));
     State state = placed(sheet);
     for (int node = 0; node < sheet.size(); ++node)
-      state.values[sheet.layout.garment(node, 2)] = 0.5 * k * std::pow(along.dot(sheet.mesh.pattern[node]), 2);
+      state.values[sheet.layout["garment"](node, 2)] = 0.5 * k * std::pow(along.dot(sheet.mesh.pattern[node]), 2);
     const double c = std::cos(angle), s = std::sin(angle);
     const double exact = 0.5 * k * k * (4e-6 * std::pow(c, 4) + 1e-6 * std::pow(s, 4) + 4.0 * 1e-6 * c * c * s * s) * 0.06 * 0.02;
     EXPECT_NEAR(bending.energy(state), exact, 1e-6 * exact) << angle;
@@ -114,7 +114,7 @@ TEST(FabricBending, ASewnTubeIsBentByItsRoundnessAndTheSeamIsLikeAnyOtherEdge) {
   double before = 0.0;
   for (const int n : {12, 24, 48}) {
     const Sheet sheet = tube(n, n / 3);
-    const double error = FabricBending(sheet.layout, sheet.mesh, knit).energy(placed(sheet)) / exact - 1.0;
+    const double error = FabricBending(sheet.layout["garment"], sheet.mesh, knit).energy(placed(sheet)) / exact - 1.0;
     EXPECT_LT(std::abs(error), 0.5 / n);
     if (before != 0.0) {
       EXPECT_NEAR(before / error, 16.0, 1.5);
@@ -123,10 +123,10 @@ TEST(FabricBending, ASewnTubeIsBentByItsRoundnessAndTheSeamIsLikeAnyOtherEdge) {
   }
   // A turn of the pattern moves the seam, not the shape: the residual keeps the tube's symmetry at seam nodes, too.
   const Sheet sheet = tube(12, 2);
-  const Eigen::VectorXd residual = assemble(FabricBending(sheet.layout, sheet.mesh, knit), placed(sheet), solver::Tangent::none).residual;
+  const Eigen::VectorXd residual = assemble(FabricBending(sheet.layout["garment"], sheet.mesh, knit), placed(sheet), solver::Tangent::none).residual;
   const auto radial = [&](double x) {
     const int node = sheet.node_at({x, 0.01});
-    return residual.segment<3>(sheet.layout.garment(sheet.mesh.merged[node])).dot(sheet.mesh.placed[node].cwiseProduct(Eigen::Vector3d(1, 1, 0)) / r);
+    return residual.segment<3>(sheet.layout["garment"](sheet.mesh.merged[node])).dot(sheet.mesh.placed[node].cwiseProduct(Eigen::Vector3d(1, 1, 0)) / r);
   };
   EXPECT_NEAR(radial(0.0), radial(0.03), 1e-9 * std::abs(radial(0.03)));
 }

@@ -25,19 +25,20 @@ struct Rubbed {
         scene(solver::make_scene(description, meshes.body, meshes.garment, skin)),
         state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
     const solver::Layout& layout = scene.layout();
-    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 2e-5, 1);
-    for (int i = 0; i < layout.multipliers; ++i) state.values[layout.multiplier(i)] = 5000.0 + 1000.0 * std::sin(i);
+    state.values.head(layout.positions()) += random_vector(layout.positions(), 2e-5, 1);
+    for (int i = 0; i < layout["contact"].count; ++i) state.values[layout["contact"](i)] = 5000.0 + 1000.0 * std::sin(i);
     scene.find<solver::Contact>()->set_stiffness(1.0);  // all vertices decide for contact
     friction().renew(state);
     update();
-    scene.begin(state);
-    state.traction = random_vector(state.traction.size(), 300.0, 4);
+    scene.commit(state);
+    auto& history = state.history.edit<solver::FrictionHistory>("friction");
+    history.traction = random_vector(history.traction.size(), 300.0, 4);
     const Eigen::AngleAxisd turn(slip / 0.055, Eigen::Vector3d::UnitZ());
-    for (int node = 0; node < layout.garment_nodes; ++node) {
-      auto x = state.values.segment<3>(layout.garment(node));
+    for (int node = 0; node < layout["garment"].count; ++node) {
+      auto x = state.values.segment<3>(layout["garment"](node));
       x = turn * x + Eigen::Vector3d(0.0, 0.0, 0.6 * slip);
     }
-    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 0.3 * slip, 5);
+    state.values.head(layout.positions()) += random_vector(layout.positions(), 0.3 * slip, 5);
     update();
   }
 
@@ -107,7 +108,7 @@ TEST_P(FrictionTangent, TractionsKeepTheBound) {
   int slips = 0, sticks = 0;
   const auto vertices = rubbed.friction().vertex_tractions(rubbed.state);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const double bound = 0.3 * rubbed.state.values[layout.multiplier(static_cast<int>(i))];
+    const double bound = 0.3 * rubbed.state.values[layout["contact"](static_cast<int>(i))];
     EXPECT_LE(vertices[i].traction.norm(), (1.0 + 1e-12) * bound);
     (vertices[i].slip == solver::Friction::Slip::slip ? slips : sticks) += 1;
   }
@@ -129,7 +130,7 @@ TEST(Friction, ForcesAndMomentsBalanceToRoundOff) {
   const Eigen::VectorXd f = assemble(rubbed.friction(), rubbed.state, Tangent::none).residual;
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
   double size = 0.0;
-  for (int entry = 0; entry < layout.pressure(0); entry += 3) {
+  for (int entry = 0; entry < layout.positions(); entry += 3) {
     const Eigen::Vector3d x = rubbed.state.values.segment<3>(entry), nodal = f.segment<3>(entry);
     force += nodal, moment += x.cross(nodal), size += nodal.norm();
   }
@@ -142,9 +143,10 @@ TEST(Friction, ForcesAndMomentsBalanceToRoundOff) {
 TEST(Friction, ACommonDisplacementDoesNotRub) {
   Rubbed rubbed(Skin::deformable, sticking);
   State state = rubbed.state;
-  state.traction.setZero();
-  state.values = state.reference;
-  for (int entry = 0; entry < rubbed.scene.layout().pressure(0); entry += 3)
+  auto& history = state.history.edit<solver::FrictionHistory>("friction");
+  history.traction.setZero();
+  state.values = history.anchor;
+  for (int entry = 0; entry < rubbed.scene.layout().positions(); entry += 3)
     state.values.segment<3>(entry) += Eigen::Vector3d(1e-3, -2e-3, 3e-3);
   EXPECT_LE(assemble(rubbed.friction(), state, Tangent::none).residual.norm(), 1e-10);
 }
@@ -158,15 +160,15 @@ TEST(Friction, RenewedQuadratureKeepsTheTractions) {
   rubbed.update();
   const auto before = tractions();
   const Eigen::VectorXd force_before = force();
-  const auto points_before = rubbed.scene.find<solver::Contact>()->places().size();
-  for (int node = 0; node < rubbed.scene.layout().garment_nodes; ++node) {  // a cut elsewhere
-    auto x = rubbed.state.values.segment<3>(rubbed.scene.layout().garment(node));
+  const auto points_before = rubbed.scene.find<solver::Contact>()->places(rubbed.state).size();
+  for (int node = 0; node < rubbed.scene.layout()["garment"].count; ++node) {  // a cut elsewhere
+    auto x = rubbed.state.values.segment<3>(rubbed.scene.layout()["garment"](node));
     x = Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ()) * x;
   }
   rubbed.scene.renew(rubbed.state);
   rubbed.update();
-  EXPECT_NE(rubbed.scene.find<solver::Contact>()->places().size(), points_before);
-  rubbed.state.values = rubbed.state.reference;  // back; the quadrature is cut there again
+  EXPECT_NE(rubbed.scene.find<solver::Contact>()->places(rubbed.state).size(), points_before);
+  rubbed.state.values = rubbed.state.history.get<solver::FrictionHistory>("friction").anchor;  // back; the quadrature is cut there again
   rubbed.scene.renew(rubbed.state);
   rubbed.update();
   const auto after = tractions();
@@ -176,6 +178,52 @@ TEST(Friction, RenewedQuadratureKeepsTheTractions) {
 }
 
 /// A scene without friction has neither the term nor a history.
+/// All that forces depend on is in the state: written down and read back by another scene it gives them to the last bit.
+TEST(Friction, AStateFromAFileGivesTheSameForcesToTheLastBit) {
+  Rubbed first(Skin::deformable, 4e-4), second(Skin::deformable, 0.0);
+  first.scene.commit(first.state);
+  first.state.values.head(first.scene.layout().positions()) += random_vector(first.scene.layout().positions(), 1e-6, 7);
+  first.scene.update(first.state);
+  solver::ByteWriter writer;
+  each(writer, first.state);
+  State read;
+  solver::ByteReader reader(writer.bytes);
+  each(reader, read);
+  EXPECT_TRUE(reader.at_end());
+  second.scene.restore(read);
+  EXPECT_EQ(second.scene.full_residual(read), first.scene.full_residual(first.state));
+  solver::ByteWriter again;
+  each(again, read);
+  EXPECT_EQ(again.bytes, writer.bytes);
+}
+
+/// A trial step is a copy: what terms do to it leaves the state that it came from alone.
+TEST(Friction, ACopyIsIndependent) {
+  Rubbed rubbed(Skin::deformable, 4e-4);
+  const Eigen::VectorXd before = rubbed.scene.full_residual(rubbed.state);
+  State trial = rubbed.state;
+  trial.values.head(rubbed.scene.layout().positions()) += random_vector(rubbed.scene.layout().positions(), 1e-4, 8);
+  rubbed.scene.renew(trial), rubbed.scene.update(trial), rubbed.scene.commit(trial);
+  EXPECT_NE(rubbed.scene.full_residual(trial), before);
+  EXPECT_EQ(rubbed.scene.full_residual(rubbed.state), before);
+}
+
+/// A history that belongs to another scene is refused.
+TEST(Friction, AStateOfAnotherSceneIsRefused) {
+  Rubbed rubbed(Skin::deformable, 4e-4);
+  solver::ByteWriter writer;
+  each(writer, rubbed.state);
+  TubeCase finer;
+  finer.around = 8, finer.along = 2, finer.through = 1, finer.cell_size = 0.02;
+  input::Case other = describe_tube(finer);
+  other.contact->friction = 0.3;
+  const solver::Meshes meshes = make_meshes(other);
+  State read;
+  solver::ByteReader reader(writer.bytes);
+  each(reader, read);
+  EXPECT_THROW(solver::make_scene(other, meshes.body, meshes.garment, Skin::deformable).restore(read), std::runtime_error);
+}
+
 /// Nothing is released at 0, everything at 1; between them the bound is mu p / release.
 TEST(Friction, SticksWithoutABoundUntilItIsReleased) {
   Rubbed r(Skin::rigid, 5e-3);
@@ -212,10 +260,9 @@ TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   const solver::Meshes meshes = make_meshes(c);
   const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, Skin::rigid);
   State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
-  scene.begin(state);
+  scene.look(state), scene.commit(state);
   EXPECT_EQ(scene.find<solver::Friction>(), nullptr);
-  EXPECT_EQ(state.reference.size(), 0);
-  EXPECT_EQ(state.traction.size(), 0);
+  EXPECT_FALSE(state.history.has("friction"));
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include <Eigen/Geometry>
 
 #include "solver/terms/garment_shape.hpp"
-#include "solver/terms/skin_surface.hpp"
+#include "solver/terms/master_surface.hpp"
 #include "tests/unit/solver/terms.hpp"
 
 namespace snug::tests {
 namespace {
 
-using solver::FacetNodes, solver::Site, solver::SkinSurface;
+using solver::FacetNodes, solver::Site, solver::MasterSurface;
 
 /// A facet with two curvatures and twist.
 FacetNodes curved_facet() {
@@ -46,7 +46,7 @@ struct TubeSkin : testing::Test {
   input::Case description = describe_tube(tube);
   mesh::Limb limb = mesh::make_limb(*description.body);
   mesh::BodyMesh body = mesh::make_body_mesh(*description.body, limb);
-  SkinSurface skin{solver::Layout{}, body, false};
+  MasterSurface skin{{}, body, body.skin_facets};
   solver::State state;
 
   Eigen::Vector3d above(const Site& site, double height) const {

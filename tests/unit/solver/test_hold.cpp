@@ -56,7 +56,7 @@ TEST(HeldEdge, HoldsAlongTheGeneratorOfACone) {
   const Eigen::VectorXd residual = worn.scene.full_residual(worn.state);
   double moved = 0.0, force = 0.0;
   for (const int node : worn.meshes.garment.edges.at("upper")) {
-    const int entry = worn.scene.layout().garment(node);
+    const int entry = worn.scene.layout()["garment"](node);
     const Eigen::Vector3d x = worn.placed.values.segment<3>(entry), u = worn.state.values.segment<3>(entry) - x;
     const Eigen::Vector3d m = (Eigen::Vector3d::UnitZ() + taper * radial(x)).normalized(), r = residual.segment<3>(entry);
     const Eigen::Vector3d n = (radial(x) - taper * Eigen::Vector3d::UnitZ()).normalized();
@@ -96,7 +96,7 @@ TEST(HeldEdge, OnACylinderTheAxisIsPrescribed) {
   const solver::Meshes meshes = make_meshes(c);
   const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, solver::Skin::rigid);
   EXPECT_TRUE(scene.numbering().bound().empty());
-  for (const int node : meshes.garment.edges.at("upper")) EXPECT_EQ(scene.numbering().unknown(scene.layout().garment(node, 2)), -1);
+  for (const int node : meshes.garment.edges.at("upper")) EXPECT_EQ(scene.numbering().unknown(scene.layout()["garment"](node, 2)), -1);
 }
 
 }  // namespace

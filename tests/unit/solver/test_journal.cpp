@@ -12,12 +12,11 @@ PathRecord record() {
   PathRecord path;
   path.state.values = Eigen::VectorXd::LinSpaced(7, -1.0 / 3.0, 1e-300);
   path.state.load = 0.1, path.state.release = 0.7, path.state.stiffening = 3.0;
-  path.state.reference = path.state.values, path.state.traction = Eigen::VectorXd::Constant(9, 1.0 / 7.0);
-  path.before = path.state, path.before.values *= 0.3;
+  path.state.history.put("contact", std::make_shared<StoredHistory>(std::string("\x01\x00\x7f", 3)));
+  path.before = 0.3 * path.state.values;
   path.reached = 0.25, path.span = 0.125, path.step = 0.0625;
   path.increments = 2, path.lost = 11, path.message = "the iteration makes no progress";
   path.rows = {{.increment = 1, .load = 0.5, .iteration = 3, .residual = 1e-5, .event = "lagged", .attempt = 2}};
-  path.memory = {.active = {1, 0, 1}, .coupled = {{3, 4}, {}, {5}}, .cut = path.before.values};
   return path;
 }
 
@@ -31,8 +30,8 @@ TEST(Journal, IsReadBackToTheLastBit) {
   ASSERT_EQ(read.paths().size(), 1u);
   const PathRecord& path = read.paths()[0];
   EXPECT_EQ(path.state.values, record().state.values);
-  EXPECT_EQ(path.before.values, record().before.values);
-  EXPECT_EQ(path.memory.coupled, record().memory.coupled);
+  EXPECT_EQ(path.before, record().before);
+  EXPECT_EQ(path.state.history.get<StoredHistory>("contact").bytes, std::string("\x01\x00\x7f", 3));
   EXPECT_EQ(path.rows[0].event, "lagged");
   EXPECT_EQ(path.lost, 11);
 }

@@ -19,7 +19,7 @@ struct CurvedShell {
   Shell shell;
   State rest;
 
-  explicit CurvedShell(bool bound) : body(make(bound)), layout{static_cast<int>(body.nodes.size()), 0, 0, 0}, shell(layout, body, {{100.0, 0.3}}) {
+  explicit CurvedShell(bool bound) : body(make(bound)), layout(solver::make_layout(body, {}, true, false)), shell(layout["body"], body, {{100.0, 0.3}}) {
     rest = solver::placed_state(layout, body, {});
     rest.load = 1.0;
   }
@@ -34,7 +34,7 @@ struct CurvedShell {
   /// Zero on the clamped side.
   Eigen::VectorXd direction(double size, unsigned seed) const {
     Eigen::VectorXd d = random_vector(rest.values.size(), size, seed);
-    for (const mesh::HeldComponent& held : body.held) d[layout.body(held.node, held.component)] = 0.0;
+    for (const mesh::HeldComponent& held : body.held) d[layout["body"](held.node, held.component)] = 0.0;
     return d;
   }
 };
@@ -86,9 +86,10 @@ TEST(Shell, ARotationHeldAtOneNodeIsRefused) {
   mesh::Model model = square_shell(2, 2, [](double u, double v) { return Eigen::Vector3d(u, v, 0.0); }, 1.0, 0.3, 0.1);
   model.supports = {{1, 3, 0.0}};
   const mesh::BodyMesh body = shell_case(model).mesh;
-  EXPECT_THROW(Shell({static_cast<int>(body.nodes.size()), 0, 0, 0}, body, {{1.0, 0.3}}), input::InputError);
+  const solver::Field positions = solver::make_layout(body, {}, true, false)["body"];
+  EXPECT_THROW(Shell(positions, body, {{1.0, 0.3}}), input::InputError);
   model.supports = {{1, 5, 0.0}};  // about the normal: means nothing
-  EXPECT_NO_THROW(Shell({static_cast<int>(body.nodes.size()), 0, 0, 0}, shell_case(model).mesh, {{1.0, 0.3}}));
+  EXPECT_NO_THROW(Shell(positions, shell_case(model).mesh, {{1.0, 0.3}}));
 }
 
 }  // namespace

@@ -27,15 +27,15 @@ struct Shaken {
         state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
     const solver::Layout& layout = scene.layout();
     state.load = 0.6, state.stiffening = 3.0;
-    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 2e-5, 1);
+    state.values.head(layout.positions()) += random_vector(layout.positions(), 2e-5, 1);
     const Eigen::AngleAxisd turn(0.07, Eigen::Vector3d::UnitZ());
     const Eigen::Vector3d middle(0.0, 0.0, 0.03);
-    for (int node = 0; node < layout.garment_nodes; ++node) {
-      auto x = state.values.segment<3>(layout.garment(node));
+    for (int node = 0; node < layout["garment"].count; ++node) {
+      auto x = state.values.segment<3>(layout["garment"](node));
       const Eigen::Vector3d arm = turn * (x - middle);
       x = middle + Eigen::Vector3d(arm.x(), arm.y(), axial * arm.z());
     }
-    for (int i = 0; i < layout.multipliers; ++i) state.values[layout.multiplier(i)] = 5000.0 + 1000.0 * std::sin(i);
+    for (int i = 0; i < layout["contact"].count; ++i) state.values[layout["contact"](i)] = 5000.0 + 1000.0 * std::sin(i);
     for (const auto& term : scene.terms()) settle(*term, state);
   }
 
@@ -53,7 +53,7 @@ struct Shaken {
   /// Random direction of the positions, and what follows from them; contact pressures stay.
   Eigen::VectorXd direction() const {
     Eigen::VectorXd d = random_vector(scene.layout().size(), 1.0, 2);
-    d.tail(scene.layout().multipliers).setZero();
+    d.tail(scene.layout()["contact"].count).setZero();
     for (const auto& term : scene.terms()) term->recover(state, d);
     return d;
   }
@@ -125,7 +125,7 @@ TEST_P(ContactTangent, IsSymmetricAlsoInItsConvexForm) {
 TEST_P(ContactTangent, ForcesAreLinearInThePressures) {
   Shaken shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
   solver::Contact& contact = shaken.contact();
-  const Eigen::Index forces = shaken.scene.layout().multiplier(0);
+  const Eigen::Index forces = shaken.scene.layout()["contact"](0);
   Eigen::VectorXd direction = random_vector(shaken.scene.layout().size(), 1.0, 3);
   direction.head(forces).setZero();
   const Assembled at = assemble(contact, shaken.state, Tangent::full);
@@ -150,7 +150,7 @@ TEST(Tangents, SkinPressureIsExactAndSymmetricWhereTheCutPlanesStand) {
   auto& load = *shaken.scene.find<solver::PressureLoad>();
   Eigen::VectorXd direction = shaken.direction();
   for (const char* name : {"lower", "upper"})
-    for (const int node : shaken.meshes.body.surface(name)->nodes) direction.segment<3>(shaken.scene.layout().body(node)).setZero();
+    for (const int node : shaken.meshes.body.surface(name)->nodes) direction.segment<3>(shaken.scene.layout()["body"](node)).setZero();
   for (const double error : tangent_errors(load, shaken.state, direction, 1e-3)) EXPECT_LE(error, 1e-11);
   EXPECT_LE(asymmetry(assemble(load, shaken.state, Tangent::full).tangent), 1e-12);
 }
@@ -160,12 +160,12 @@ TEST(Tangents, SkinPressureIsExactAndSymmetricWhereTheCutPlanesStand) {
 TEST(Tangents, PressureOnAGarmentIsExactWhereItsEdgesStayInAPlane) {
   Shaken shaken(Skin::rigid);
   const solver::Layout& layout = shaken.scene.layout();
-  solver::PressureLoad load(layout, shaken.meshes.garment, -3000.0);
+  solver::PressureLoad load(layout["garment"], shaken.meshes.garment, -3000.0);
   Eigen::VectorXd free = Eigen::VectorXd::Ones(layout.size());
   for (const auto& [name, nodes] : shaken.meshes.garment.edges)
     for (const int node : nodes) {
-      shaken.state.values[layout.garment(node, 2)] = name == "upper" ? 0.06 : 0.0;
-      free[layout.garment(node, 2)] = 0.0;
+      shaken.state.values[layout["garment"](node, 2)] = name == "upper" ? 0.06 : 0.0;
+      free[layout["garment"](node, 2)] = 0.0;
     }
   const Eigen::VectorXd direction = shaken.direction().cwiseProduct(free);
   const auto residual_at = [&](double s) {
@@ -187,11 +187,11 @@ TEST(Tangents, PressureOnAGarmentIsExactWhereItsEdgesStayInAPlane) {
 TEST(Tangents, NegativePressureOnAGarmentPushesItOutwards) {
   Shaken shaken(Skin::rigid);
   const solver::Layout& layout = shaken.scene.layout();
-  const solver::PressureLoad load(layout, shaken.meshes.garment, -3000.0);
+  const solver::PressureLoad load(layout["garment"], shaken.meshes.garment, -3000.0);
   const Eigen::VectorXd force = -assemble(load, shaken.state, Tangent::none).residual;
   double outwards = 0.0;
-  for (int node = 0; node < layout.garment_nodes; ++node)
-    outwards += force.segment<2>(layout.garment(node)).dot(shaken.state.values.segment<2>(layout.garment(node)));
+  for (int node = 0; node < layout["garment"].count; ++node)
+    outwards += force.segment<2>(layout["garment"](node)).dot(shaken.state.values.segment<2>(layout["garment"](node)));
   EXPECT_GT(outwards, 0.0);
 }
 
@@ -200,9 +200,9 @@ TEST(StepBound, AnInvertingDirectionIsCutBeforeACellInverts) {
   const auto& tissue = *shaken.scene.find<solver::Tissue>();
   const solver::Layout& layout = shaken.scene.layout();
   Eigen::VectorXd inwards = Eigen::VectorXd::Zero(layout.size());  // turns the tube inside out at a full step
-  for (int node = 0; node < layout.body_nodes; ++node) {
+  for (int node = 0; node < layout["body"].count; ++node) {
     const Eigen::Vector2d x = shaken.meshes.body.nodes[node].head<2>();
-    inwards.segment<2>(layout.body(node)) = -2.0 * (x.norm() - 0.020) * x.normalized();
+    inwards.segment<2>(layout["body"](node)) = -2.0 * (x.norm() - 0.020) * x.normalized();
   }
   const double bound = tissue.step_bound(shaken.state, inwards, 1.0);
   const auto admissible = [&](double fraction) {

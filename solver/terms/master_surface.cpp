@@ -1,4 +1,4 @@
-#include "solver/terms/skin_surface.hpp"
+#include "solver/terms/master_surface.hpp"
 
 #include <deal.II/numerics/rtree.h>
 
@@ -19,14 +19,14 @@ constexpr double hysteresis = 0.2;
 
 }  // namespace
 
-struct SkinSurface::Tree {
+struct MasterSurface::Tree {
   using Box = dealii::BoundingBox<3>;
   dealii::RTree<std::pair<Box, int>> boxes;
 };
 
-SkinSurface::SkinSurface(const Layout& layout, const mesh::BodyMesh& mesh, bool deformable)
-    : layout_(layout), deformable_(deformable), kind_(facet_kind(mesh.kind)), domain_(&facet_domain(kind_)),
-      facets_(mesh.skin_facets), reference_(mesh.nodes) {
+MasterSurface::MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> list)
+    : positions_(positions), kind_(facet_kind(mesh.kind)), domain_(&facet_domain(kind_)), facets_(std::move(list)),
+      reference_(mesh.nodes), mean_edge_(mesh::mean_edge(mesh, facets_)) {
   connect();
   std::vector<std::pair<Tree::Box, int>> boxes;
   for (int f = 0; f < facets(); ++f) {
@@ -38,9 +38,10 @@ SkinSurface::SkinSurface(const Layout& layout, const mesh::BodyMesh& mesh, bool 
   tree_ = std::make_unique<Tree>(Tree{dealii::pack_rtree(boxes)});
 }
 
-SkinSurface::~SkinSurface() = default;
+MasterSurface::~MasterSurface() = default;
+MasterSurface::MasterSurface(MasterSurface&&) noexcept = default;
 
-void SkinSurface::connect() {
+void MasterSurface::connect() {
   std::map<std::pair<int, int>, std::pair<int, int>> open;  // corner pair -> facet, edge
   const int edges = static_cast<int>(domain_->edges.size());
   neighbours_.assign(facets_.size(), std::vector<int>(edges, -1));
@@ -55,15 +56,15 @@ void SkinSurface::connect() {
     }
 }
 
-FacetNodes SkinSurface::positions(const State& state, int facet) const {
+FacetNodes MasterSurface::positions(const State& state, int facet) const {
   FacetNodes nodes = FacetNodes::Zero();
   for (int a = 0; a < 9 && facets_[facet][a] >= 0; ++a)
-    nodes.col(a) = deformable_ ? Eigen::Vector3d(state.values.segment<3>(layout_.body(facets_[facet][a])))
-                               : reference_[facets_[facet][a]];
+    nodes.col(a) = deformable() ? Eigen::Vector3d(state.values.segment<3>(positions_(facets_[facet][a])))
+                                : reference_[facets_[facet][a]];
   return nodes;
 }
 
-bool SkinSurface::settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const {
+bool MasterSurface::settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const {
   int previous = -1;
   for (int walk = 0; walk < 12; ++walk, stay = 0.0) {
     if (!project(kind_, positions(state, site.facet), x, 1.5, site.xi)) return false;
@@ -87,7 +88,7 @@ bool SkinSurface::settle(const State& state, const Eigen::Vector3d& x, double st
   return false;
 }
 
-Site SkinSurface::follow(const State& state, const Eigen::Vector3d& x, const Site& last) const {
+Site MasterSurface::follow(const State& state, const Eigen::Vector3d& x, const Site& last) const {
   if (last.facet >= 0) {
     Site site = last;
     if (settle(state, x, hysteresis, site)) return site;
@@ -95,7 +96,7 @@ Site SkinSurface::follow(const State& state, const Eigen::Vector3d& x, const Sit
   return find(state, x);
 }
 
-Site SkinSurface::find(const State& state, const Eigen::Vector3d& x) const {
+Site MasterSurface::find(const State& state, const Eigen::Vector3d& x) const {
   namespace bgi = boost::geometry::index;
   std::vector<std::pair<Tree::Box, int>> near;
   tree_->boxes.query(bgi::nearest(dealii::Point<3>(x.x(), x.y(), x.z()), 6), std::back_inserter(near));

@@ -1,4 +1,4 @@
-// The skin as master surface: its facets, their neighbours, and where a garment point meets them.
+// The master side of contact: its facets, their neighbours, and where a point of the slave meets them.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,22 +13,28 @@
 
 namespace snug::solver {
 
-/// Where a garment point meets the skin; facet -1: it faces none.
+/// Where a point of the slave meets the master; facet -1: it faces none.
 struct Site {
   int facet = -1;
   Eigen::Vector2d xi = Eigen::Vector2d::Zero();
 };
 
-class SkinSurface {
+class MasterSurface {
  public:
-  /// `deformable`: nodes move with the state (body entries of the layout); otherwise they stand at their reference place.
-  SkinSurface(const Layout& layout, const mesh::BodyMesh& mesh, bool deformable);
-  ~SkinSurface();
+  /// Facets of a body. With a field of positions nodes move with the state; with an empty one they stand where the mesh has them.
+  MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> facets);
+  ~MasterSurface();
+  MasterSurface(MasterSurface&&) noexcept;
 
-  bool deformable() const { return deformable_; }
+  bool deformable() const { return positions_.count > 0; }
   int facets() const { return static_cast<int>(facets_.size()); }
   mesh::FacetKind kind() const { return kind_; }
   const FacetDomain& domain() const { return *domain_; }
+  double mean_edge() const { return mean_edge_; }  ///< m
+  /// Nodes of the body, on the surface or not.
+  int nodes() const { return static_cast<int>(reference_.size()); }
+  /// Entry of a component of a node; of a deformable one only.
+  int entry(int node, int component) const { return positions_(node, component); }
   /// Node numbers, -1 in the slots that the kind does not use.
   const mesh::FacetNodeNumbers& nodes_of(int facet) const { return facets_[facet]; }
   FacetNodes positions(const State& state, int facet) const;
@@ -46,13 +52,13 @@ class SkinSurface {
   bool settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const;
   void connect();
 
-  Layout layout_;
-  bool deformable_;
+  Field positions_;
   mesh::FacetKind kind_;
   const FacetDomain* domain_;
   std::vector<mesh::FacetNodeNumbers> facets_;
   std::vector<std::vector<int>> neighbours_;
   std::vector<Eigen::Vector3d> reference_;
+  double mean_edge_;
   std::unique_ptr<Tree> tree_;
 };
 
