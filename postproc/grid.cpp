@@ -221,6 +221,12 @@ void write_garment(const GarmentResult& garment, const std::filesystem::path& vt
     add_field(cells, "stretch", garment.stretch_warp.size(), {"warp", "weft"},
               [&](std::size_t n, int c) { return c == 0 ? garment.stretch_warp[n] : garment.stretch_weft.at(n); });
   add_scalars(cells, "wrinkled", garment.wrinkled);
+  if (garment.parts.size() > 1) {  // which of the garments, in the order of the case
+    std::vector<double> part(garment.triangles.size(), 0.0);
+    for (std::size_t g = 0; g < garment.parts.size(); ++g)
+      for (int t = garment.parts[g].first_triangle; t < garment.parts[g].end_triangle; ++t) part[t] = static_cast<double>(g);
+    add_scalars(cells, "garment", part);
+  }
   write(*grid, vtu);
 }
 

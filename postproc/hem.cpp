@@ -128,6 +128,25 @@ void fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyResul
 
 }  // namespace
 
+namespace {
+
+/// Of every garment the distance of the node that is farthest from all of its edges, m.
+std::vector<double> depths(const std::vector<Chain>& chains, const GarmentResult& garment) {
+  std::vector<GarmentPart> parts = garment.parts;
+  if (parts.empty()) parts.push_back({"garment", 0, static_cast<int>(garment.current.size()), 0, 0});
+  std::vector<double> depth(parts.size(), 0.0);
+  for (std::size_t g = 0; g < parts.size(); ++g) {
+    std::vector<Chain> own;
+    for (std::size_t e = 0; e < chains.size(); ++e)
+      if (garment.edges[e].garment == static_cast<int>(g)) own.push_back(chains[e]);
+    for (int n = parts[g].first_node; n < parts[g].end_node; ++n)
+      depth[g] = std::max(depth[g], nearest(own, garment.current[n], std::numeric_limits<double>::max()).distance);
+  }
+  return depth;
+}
+
+}  // namespace
+
 double keep_hems_apart(double cell, RunResult& run) {
   run.hems.clear();
   if (run.samples.empty()) return 0.0;
@@ -136,10 +155,11 @@ double keep_hems_apart(double cell, RunResult& run) {
     chains.emplace_back(edge, run.garment.current);
     run.hems.push_back({edge.name, chains.back().length(), std::max(cell, chains.back().length() / divisions_of_an_edge)});
   }
-  double depth = 0.0, widest = 0.0;
-  for (const Point& x : run.garment.current) depth = std::max(depth, nearest(chains, x, std::numeric_limits<double>::max()).distance);
-  for (Hem& hem : run.hems) {
-    hem.strip = std::min(hem.strip, 0.5 * depth), hem.reach = std::min(cell, hem.strip);
+  const std::vector<double> depth = depths(chains, run.garment);
+  double widest = 0.0;
+  for (std::size_t e = 0; e < run.hems.size(); ++e) {
+    Hem& hem = run.hems[e];
+    hem.strip = std::min(hem.strip, 0.5 * depth[run.garment.edges[e].garment]), hem.reach = std::min(cell, hem.strip);
     widest = std::max({widest, hem.strip, beside_an_edge * hem.reach});
   }
   std::vector<Near> near;

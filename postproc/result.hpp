@@ -58,9 +58,18 @@ struct BodyResult {
 struct GarmentEdge {
   std::string name;
   std::vector<std::array<int, 3>> sides;
+  int garment = 0;                                    ///< index into GarmentResult::parts
 };
 
+/// One of several garments in the lists of a GarmentResult: nodes [first_node, end_node), triangles likewise.
+struct GarmentPart {
+  std::string name;
+  int first_node = 0, end_node = 0, first_triangle = 0, end_triangle = 0;
+};
+
+/// All garments, one behind the other.
 struct GarmentResult {
+  std::vector<GarmentPart> parts;
   std::vector<Eigen::Vector3d> placed, current;       ///< m, one entry a pattern node
   std::vector<Eigen::Vector2d> pattern;               ///< m
   std::vector<std::array<int, 6>> triangles;
@@ -106,6 +115,15 @@ struct Hem {
   double reach = 0.0;             ///< m, width within which its force is summed: one skin cell
   double force = 0.0;             ///< N, normal contact force within reach
   double line_load = 0.0;         ///< N/m, of that force what the pressure beyond reach does not explain, per length
+};
+
+/// Two surfaces of the body that touch.
+struct SurfaceContact {
+  std::string name, slave, master;
+  double force = 0.0;             ///< N, sum of the normal point forces
+  double area = 0.0;              ///< m2, of the slave as it is now, where it touches
+  double largest_pressure = 0.0;  ///< Pa, nodal
+  double friction_force = 0.0;    ///< N, sum of the tangential point forces
 };
 
 struct Phase {
@@ -155,6 +173,7 @@ struct RunResult {
   std::vector<Iteration> history;
   Balance balance;
   std::vector<Hem> hems;          ///< named edges of a garment in contact
+  std::vector<SurfaceContact> surface_contacts;
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;
   std::vector<DonningRow> donning;  ///< empty without friction

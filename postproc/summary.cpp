@@ -132,6 +132,19 @@ Json donning_json(const RunResult& run) {
 }
 
 // Pressures of locations and the largest one leave the strips out.
+Json surface_contacts_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const SurfaceContact& contact : run.surface_contacts)
+    json.push_back({{"name", contact.name},
+                    {"slave", contact.slave},
+                    {"master", contact.master},
+                    {"force_N", contact.force},
+                    {"area_m2", contact.area},
+                    {"largest_pressure_Pa", contact.largest_pressure},
+                    {"friction_force_N", contact.friction_force}});
+  return json;
+}
+
 Json hems_json(const RunResult& run) {
   Json json = Json::array();
   for (const Hem& hem : run.hems)
@@ -207,6 +220,7 @@ void add_outcome(Json& json, const RunResult& run) {
   json["residuals"] = residuals_json(run);
   json["balance"] = balance_json(run.balance);
   if (!run.hems.empty()) json["hems"] = hems_json(run);
+  if (!run.surface_contacts.empty()) json["surface_contacts"] = surface_contacts_json(run);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
   if (!run.donning.empty()) json["spread_over_donning_paths"] = donning_json(run);

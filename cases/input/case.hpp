@@ -16,18 +16,27 @@
 
 namespace snug::input {
 
+/// A pair of surfaces that touch: a garment and the skin, or two surfaces of the body.
 struct ContactSpec {
-  std::string basis = "hat";  ///< hat | dual: test functions of the weighted gap
-  std::optional<double> friction;  ///< coefficient of friction of garment on skin; see solver/scene/friction_choice
+  std::string slave;               ///< a garment, or a surface of the body; empty: every garment that no other contact names
+  std::string master = "skin";     ///< a surface of the body
+  std::string basis = "hat";       ///< hat | dual: test functions of the weighted gap
+  std::optional<double> friction;  ///< coefficient; see solver/scene/friction_choice
   bool spread = false;             ///< what other ways of putting the garment on would change
+  Location where = {};
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "slave",
+                .meaning = "what touches: the name of a garment, or a surface of the body made of quadratic tetrahedra; left out: "
+                           "every garment that no other contact names"},
+          self.slave);
+    field(Field{.key = "master", .meaning = "what it touches: a surface of the body"}, self.master);
     field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}},
           self.basis);
     field(Field{.key = "friction",
-                .meaning = "coefficient of friction of the garment on the skin; left out: the fabric's own (MIU), else 0.3; "
-                           "0: none, for verification",
+                .meaning = "coefficient of friction; left out: of a garment on the skin the fabric's own (MIU), else 0.3; of two "
+                           "surfaces of the body none. 0: none, for verification",
                 .bound = between(0.0, 2.0)},
           self.friction);
     field(Field{.key = "spread",
@@ -92,8 +101,8 @@ struct Case {
   std::string title;
   std::filesystem::path directory;
   std::optional<BodySpec> body;
-  std::optional<GarmentSpec> garment;
-  std::optional<ContactSpec> contact;
+  std::vector<GarmentSpec> garments;
+  std::vector<ContactSpec> contacts;
   std::optional<ComfortSpec> comfort;
   std::optional<LoadSpec> load;
   std::vector<SupportSpec> support;
@@ -105,8 +114,12 @@ struct Case {
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "title", .meaning = "one line that names the case in results", .required = true}, self.title);
     field(Field{.key = "body", .meaning = "the body: layers, mesh, locations"}, self.body);
-    field(Field{.key = "garment", .meaning = "the garment: pattern, fabric, placement"}, self.garment);
-    field(Field{.key = "contact", .meaning = "contact of garment and skin"}, self.contact);
+    field(Field{.key = "garment", .meaning = "the garment: pattern, fabric, placement; several as [[garment]], each with its name",
+                .one_or_more = true},
+          self.garments);
+    field(Field{.key = "contact", .meaning = "contact of garment and skin, or of two surfaces of the body; several as [[contact]]",
+                .one_or_more = true},
+          self.contacts);
     field(Field{.key = "comfort", .meaning = "sensation by location and overall comfort"}, self.comfort);
     field(Field{.key = "load", .meaning = "loads on the body beside a garment"}, self.load);
     field(Field{.key = "support", .meaning = "surfaces of the body that are held or moved"}, self.support);

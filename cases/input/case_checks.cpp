@@ -153,12 +153,19 @@ void check_held(const GarmentSpec& garment, Diagnostics& diagnostics) {
       diagnostics.error(held.where, fmt::format("the {} edge is held twice", held.edge), "name each edge once");
 }
 
-void check_presence(const Table& root, Diagnostics& diagnostics) {
+/// A surface of the body; that it is there is known when the mesh is.
+bool between_solids(const ContactSpec& contact, const Case& c) {
+  return !contact.slave.empty() && std::none_of(c.garments.begin(), c.garments.end(),
+                                                [&](const GarmentSpec& garment) { return garment.name == contact.slave; });
+}
+
+void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) {
   const auto error = [&](const std::string& key, const std::string& found, const std::string& remedy) {
     diagnostics.error(root.where_is(key), found, remedy);
   };
   const bool body = root.find("body"), garment = root.find("garment");
   const bool load = root.find("load"), support = root.find("support");
+  const bool solids = std::any_of(c.contacts.begin(), c.contacts.end(), [&](const auto& contact) { return between_solids(contact, c); });
   if (!body && !garment)
     error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
   if (garment && !body)
@@ -166,9 +173,10 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
           "add [body]; for a rigid one write tier = \"L1\" in [solver]. A garment alone is not available yet");
   if (garment && body && !root.find("contact"))
     error("garment", "there is a [garment] on a [body] but no [contact]: they would not touch", "add a line [contact]");
-  if (root.find("contact") && !garment)
-    error("contact", "there is [contact] but no [garment]", "add [garment] or leave [contact] out");
-  if (root.find("comfort") && !root.find("contact"))
+  if (root.find("contact") && !garment && !solids)
+    error("contact", "there is [contact] but no [garment]",
+          "add [garment], name two surfaces of the body (slave, master), or leave [contact] out");
+  if (root.find("comfort") && !(root.find("contact") && garment))
     error("comfort", "[comfort] judges contact pressure, but there is no [contact]",
           "add [garment] and [contact], or leave [comfort] out");
   if (load && !body) error("load", "there is a [load] but no [body]", "add [body] or leave [load] out");
@@ -176,6 +184,42 @@ void check_presence(const Table& root, Diagnostics& diagnostics) {
   const Table* imported = root.table("body");  // a file of another program may bring its loads; without, that is said later
   if (body && !garment && !load && !support && !(imported && imported->find("mesh")))
     error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
+}
+
+void check_garments(const Case& c, Diagnostics& diagnostics) {
+  std::set<std::string> names;
+  for (const GarmentSpec& garment : c.garments) {
+    check_held(garment, diagnostics);
+    if (!names.insert(garment.name).second)
+      diagnostics.error(garment.where, fmt::format("a second garment is called \"{}\"", garment.name),
+                        "give each garment a name of its own: name = \"band\"");
+    if (garment.name == "body" || garment.name.empty())
+      diagnostics.error(garment.where, fmt::format("a garment is called \"{}\"", garment.name), "give it another name");
+  }
+}
+
+void check_contacts(const Case& c, Diagnostics& diagnostics) {
+  std::set<std::string> named;
+  int open = 0;
+  for (const ContactSpec& contact : c.contacts) {
+    const bool solids = between_solids(contact, c);
+    if (contact.slave.empty() && ++open > 1)
+      diagnostics.error(contact.where, "two contacts name no slave", "say which garment each is of: slave = \"band\"");
+    if (!contact.slave.empty() && !named.insert(contact.slave).second)
+      diagnostics.error(contact.where, fmt::format("\"{}\" is the slave of two contacts", contact.slave), "name it once");
+    if (!solids && contact.master != "skin")
+      diagnostics.error(contact.where, fmt::format("a garment touches \"{}\"", contact.master),
+                        "a garment touches the skin: leave master out. A garment on another one is not available yet");
+    if (solids && contact.slave == contact.master)
+      diagnostics.error(contact.where, fmt::format("\"{}\" is to touch itself", contact.slave), "name two surfaces");
+    if (solids && c.solver.tier != "L4")
+      diagnostics.error(contact.where, fmt::format("tier {} has a rigid body, whose surfaces do not move", c.solver.tier),
+                        "use tier L4 or leave this [[contact]] out");
+  }
+  for (const GarmentSpec& garment : c.garments)
+    if (open == 0 && !c.contacts.empty() && !named.contains(garment.name))
+      diagnostics.error(garment.where, fmt::format("no [[contact]] is of the garment \"{}\"", garment.name),
+                        fmt::format("add one with slave = \"{}\", or one without slave for all garments", garment.name));
 }
 
 void check_loads(const Case& c, const Table& root, Diagnostics& diagnostics) {
@@ -212,10 +256,10 @@ void check_reference(const Case& description, const Table& root, Diagnostics& di
 void check_path(const Case& c, const Table& root, Diagnostics& diagnostics) {
   if (c.solver.path != "arc length") return;
   const Location where = root.where_is("solver");
-  if (c.garment)
+  if (!c.garments.empty())
     diagnostics.error(where, "path = \"arc length\" is for loads on a body, and here a garment tightens", "leave path out");
   for (const SupportSpec& support : c.support)
-    if (support.turn != 0.0 || support.x.value_or(0.0) != 0.0 || support.y.value_or(0.0) != 0.0 || support.z.value_or(0.0) != 0.0)
+    if (support.moves())
       diagnostics.error(support.where, "a support that moves needs no path = \"arc length\": its force may fall as it goes",
                         "leave path out, or load the body with forces alone");
 }
@@ -226,6 +270,10 @@ void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
     diagnostics.error(root.where_is("load"),
                       fmt::format("tier {} has a rigid body, which no [load] deforms", c.solver.tier),
                       "use tier L4 or leave [load] out");
+  for (const SupportSpec& support : c.support)
+    if (support.moves())
+      diagnostics.error(support.where, fmt::format("tier {} has a rigid body, which no [[support]] moves", c.solver.tier),
+                        "use tier L4 or leave the support out");
 }
 
 }  // namespace
@@ -254,10 +302,11 @@ void complete(Case& description, const Table& root) {
 }
 
 void check_case(const Case& description, const Table& root, Diagnostics& diagnostics) {
-  check_presence(root, diagnostics);
+  check_presence(description, root, diagnostics);
   if (description.body)
     if (const Table* body = root.table("body")) check_body(*description.body, *body, diagnostics);
-  if (description.garment) check_held(*description.garment, diagnostics);
+  check_garments(description, diagnostics);
+  check_contacts(description, diagnostics);
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
   check_tier(description, root, diagnostics);

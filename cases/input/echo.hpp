@@ -47,6 +47,7 @@ class Echo {
   }
   template <class T>
   std::optional<Value> value_of(const Field& field, const std::vector<T>& member) const {
+    if (field.one_or_more && member.size() == 1) return value_of(field, member.front());
     return list_of(field, member);
   }
   template <class T, std::size_t N>

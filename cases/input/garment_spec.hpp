@@ -51,6 +51,7 @@ struct HeldEdge {
 };
 
 struct GarmentSpec {
+  std::string name = "garment";
   PatternSpec pattern;
   MaterialReference fabric;
   std::string warp = "along";  ///< along | around the body's axis
@@ -64,6 +65,7 @@ struct GarmentSpec {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "name", .meaning = "name in results and contacts, its own where there are several garments"}, self.name);
     field(Field{.key = "pattern", .meaning = "the pieces as cut", .required = true}, self.pattern);
     field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values", .required = true},
           self.fabric);

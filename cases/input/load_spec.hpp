@@ -95,6 +95,8 @@ struct SupportSpec {
   double turn = 0.0;              ///< rad
   Location where;
 
+  bool moves() const { return turn != 0.0 || x.value_or(0.0) != 0.0 || y.value_or(0.0) != 0.0 || z.value_or(0.0) != 0.0; }
+
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "on",

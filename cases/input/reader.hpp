@@ -60,6 +60,7 @@ class Reader {
   template <class T>
   void convert(const Field& field, const Value& value, std::vector<T>& member) const {
     member.clear();
+    if (field.one_or_more && value.table()) return convert(field, value, member.emplace_back());
     if (const auto* items = array(field, value))
       for (const Value& item : *items) convert(field, item, member.emplace_back());
   }

@@ -50,7 +50,8 @@ class Reference {
   template <class T>
   void add(const Field& field, const std::string& key, const std::vector<T>&, const std::string&) {
     const std::size_t own = rows_.size();
-    add(field, key + (std::is_class_v<T> && !std::is_same_v<T, std::string> ? "[]" : ""), T{}, "list of ");
+    const bool brackets = std::is_class_v<T> && !std::is_same_v<T, std::string> && !field.one_or_more;
+    add(field, key + (brackets ? "[]" : ""), T{}, field.one_or_more ? "one or more of " : "list of ");
     rows_[own].default_value.clear();
   }
   template <class T, std::size_t N>

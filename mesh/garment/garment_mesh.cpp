@@ -149,7 +149,7 @@ GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, 
   mesh.warp.assign(mesh.triangles.size(), warp);
   for (const char* edge : {"lower", "upper"}) mesh.edges[edge] = representatives(pattern.sides.at(edge), mesh.merged);
   mesh.mean_edge = mean_edge_length(pattern);
-  mesh.order = spec.order;
+  mesh.name = spec.name, mesh.order = spec.order;
   return mesh;
 }
 

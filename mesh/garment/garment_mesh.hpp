@@ -13,6 +13,7 @@
 namespace snug::mesh {
 
 struct GarmentMesh {
+  std::string name = "garment";
   std::vector<Eigen::Vector2d> pattern;  ///< nodes on the flat pieces, m; both sides of a seam have nodes of their own
   std::vector<Eigen::Vector3d> placed;   ///< placed round the body, m, frame of the body; equal on merged nodes
   std::vector<std::array<int, 6>> triangles;  ///< vertices 0 1 2, then mid-edge nodes 01, 12, 20; counter-clockwise

@@ -27,7 +27,7 @@ class Check : public Command {
     for (const std::string& directory : directories_) {
       try {
         const PreparedCase prepared = prepare(directory, options_);
-        const solver::Plan plan = solver::plan(prepared.description, prepared.meshes);
+        const solver::Plan plan = solver::plan(prepared.model, prepared.meshes);
         refuse_large_plan(plan, prepared.memory_limit, prepared.description);
         fmt::print("{}\n{}\n", plan_text(prepared.description.title, plan), quality_text(prepared));
       } catch (const input::InputError& error) {

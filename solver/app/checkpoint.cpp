@@ -33,8 +33,8 @@ std::string identity_of(const PreparedCase& prepared) {
   const solver::Meshes& meshes = prepared.meshes;
   std::string text = fmt::format("ranks {}\n", solver::this_rank().of) + input::echo_text(prepared.description);
   for (const auto& [file, hash] : provenance_of(prepared).input_hashes) text += hash;
-  for (const std::string_view bytes : {bytes_of(meshes.body.nodes), bytes_of(meshes.garment.placed), bytes_of(meshes.garment.pattern)})
-    text += hash_line(bytes);
+  text += hash_line(bytes_of(meshes.body.nodes));
+  for (const mesh::GarmentMesh& garment : meshes.garments) text += hash_line(bytes_of(garment.placed)) + hash_line(bytes_of(garment.pattern));
   return hash_line(text + hash_line(input::read_file("/proc/self/exe")));
 }
 

@@ -76,7 +76,7 @@ class LawOf {
 void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& body, bool calculix) {
   const input::Location where{(description.directory / "case.toml").string(), 0, 0};
   if (!description.body) throw input::InputError(where, "the case has no body", "convert a case with [body]");
-  if (description.garment)
+  if (!description.garments.empty())
     throw input::InputError(where, "the garment cannot be written: neither program has its rest metric and its contact",
                             "convert a case without [garment], [contact] and [comfort]");
   if (!body.membranes.empty())
@@ -87,16 +87,18 @@ void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& b
 }
 
 mesh::BodyLoads loads_of(const input::Case& description, const mesh::BodyMesh& body) {
-  const solver::Layout layout = solver::make_layout(body, {}, true, false);
-  const solver::Supports supports(description, body, layout);
-  solver::State full = solver::placed_state(layout, body, {});
+  const solver::Model model = solver::make_model(description, body);
+  const solver::Meshes meshes{.limb = {}, .body = body, .garments = {}};
+  const solver::Layout layout = solver::make_layout(model, meshes, solver::Skin::deformable);
+  const solver::Supports supports(model, body, layout);
+  solver::State full = solver::placed_state(layout, meshes);
   full.load = 1.0;
   const Eigen::VectorXd gap = supports.gap(full);
   mesh::BodyLoads loads;
   for (const int entry : supports.entries())
     loads.held.push_back({entry / 3, entry % 3, gap.size() > 0 ? gap[entry] : 0.0});
   const input::LoadSpec load = description.load.value_or(input::LoadSpec{});
-  loads.forces = solver::dead_forces(load, body);
+  loads.forces = solver::dead_forces(model, body);
   loads.pressures = solver::surface_pressures(load, body);
   return loads;
 }

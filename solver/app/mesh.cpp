@@ -17,16 +17,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The garment as placed round the body, without strain.
-postproc::GarmentResult as_placed(const mesh::GarmentMesh& mesh) {
+/// The garments as placed round the body, without strain.
+postproc::GarmentResult as_placed(const std::vector<mesh::GarmentMesh>& meshes) {
   postproc::GarmentResult garment;
-  garment.placed = garment.current = mesh.placed;
-  garment.pattern = mesh.pattern;
-  garment.triangles = mesh.triangles;
-  const std::vector<double> zeros(mesh.triangles.size(), 0.0), ones(mesh.triangles.size(), 1.0);
+  for (const mesh::GarmentMesh& mesh : meshes) {
+    const int first = static_cast<int>(garment.placed.size()), first_triangle = static_cast<int>(garment.triangles.size());
+    garment.placed.insert(garment.placed.end(), mesh.placed.begin(), mesh.placed.end());
+    garment.pattern.insert(garment.pattern.end(), mesh.pattern.begin(), mesh.pattern.end());
+    for (auto triangle : mesh.triangles) {
+      for (int& node : triangle) node += first;
+      garment.triangles.push_back(triangle);
+    }
+    garment.parts.push_back({mesh.name, first, static_cast<int>(garment.placed.size()), first_triangle, static_cast<int>(garment.triangles.size())});
+  }
+  garment.current = garment.placed;
+  const std::vector<double> zeros(garment.triangles.size(), 0.0), ones(garment.triangles.size(), 1.0);
   garment.tension_warp = garment.tension_weft = garment.shear = garment.wrinkled = zeros;
   garment.stretch_warp = garment.stretch_weft = ones;
-  garment.contact_pressure.assign(mesh.placed.size(), 0.0);
+  garment.contact_pressure.assign(garment.placed.size(), 0.0);
   return garment;
 }
 
@@ -50,8 +58,7 @@ class Mesh : public Command {
     fmt::print("{}\n\n{}", prepared.description.title, quality_text(prepared));
     const solver::Meshes& meshes = prepared.meshes;
     if (!meshes.body.nodes.empty()) postproc::write_body(solver::body_result(meshes.body, true), {}, out.aside() / "body.vtu");
-    if (!meshes.garment.triangles.empty())
-      postproc::write_garment(as_placed(meshes.garment), out.aside() / "garment.vtu");
+    if (!meshes.garments.empty()) postproc::write_garment(as_placed(meshes.garments), out.aside() / "garment.vtu");
     out.commit();
     fmt::print("  files: {}\n", out.target().string());
     return done;

@@ -14,6 +14,7 @@ namespace snug::app {
 
 struct PreparedCase {
   input::Case description;
+  solver::Model model;
   solver::Meshes meshes;
   std::vector<mesh::QualityRow> quality;
   double memory_limit = 0.0;            ///< bytes that the case may take

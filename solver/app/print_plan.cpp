@@ -47,15 +47,14 @@ std::string girths_text(const mesh::Limb& limb) {
 }
 
 /// The garment against the mean girth it covers, as placed.
-std::string ease_text(const PreparedCase& prepared) {
-  const input::GarmentSpec& spec = *prepared.description.garment;
+std::string ease_text(const PreparedCase& prepared, const input::GarmentSpec& spec) {
   constexpr int rows = 33;
   double girth = 0.0;
   for (int i = 0; i < rows; ++i)
     girth += prepared.meshes.limb.girth(spec.position + spec.pattern.length * i / (rows - 1.0)) / rows;
   const double ease = spec.pattern.flat_circumference / girth - 1.0;
-  return fmt::format("  garment: {:.0f} mm round as cut on a mean girth of {:.0f} mm, {:.1f} % {}\n",
-                     spec.pattern.flat_circumference * 1e3, girth * 1e3, std::abs(ease) * 100.0,
+  return fmt::format("  {}: {:.0f} mm round as cut on a mean girth of {:.0f} mm, {:.1f} % {}\n",
+                     spec.name, spec.pattern.flat_circumference * 1e3, girth * 1e3, std::abs(ease) * 100.0,
                      ease < 0.0 ? "smaller" : "larger");
 }
 
@@ -69,11 +68,12 @@ std::string quality_text(const PreparedCase& prepared) {
   for (const mesh::QualityRow& row : prepared.quality)
     text += fmt::format("  {:<16} {:>8} {:>14.3f} {:>14.3f} {:>10.1f} {:>12.1f}\n", row.layer, row.cells,
                         row.min_scaled_jacobian, row.mean_scaled_jacobian, row.max_aspect, row.volume * 1e6);
-  const mesh::GarmentMesh& garment = prepared.meshes.garment;
-  if (!garment.triangles.empty())
-    text += fmt::format("  garment: {} quadratic triangles, mean edge {:.1f} mm\n", garment.triangles.size(),
-                        garment.mean_edge * 1e3) +
-            ease_text(prepared);
+  for (std::size_t g = 0; g < prepared.meshes.garments.size(); ++g) {
+    const mesh::GarmentMesh& garment = prepared.meshes.garments[g];
+    text += fmt::format("  {}: {} {} triangles, mean edge {:.1f} mm\n", garment.name, garment.triangles.size(),
+                        garment.order == 2 ? "quadratic" : "linear", garment.mean_edge * 1e3) +
+            ease_text(prepared, prepared.description.garments[g]);
+  }
   return text;
 }
 

@@ -191,7 +191,7 @@ class Run : public Command {
     PreparedCase prepared = prepare(directory, options_);
     const std::vector<ReferenceTable> references =
         read_references(prepared.description);  // wrong ones before the solve
-    const solver::Plan plan = solver::plan(prepared.description, prepared.meshes);
+    const solver::Plan plan = solver::plan(prepared.model, prepared.meshes);
     refuse_large_plan(plan, prepared.memory_limit, prepared.description);
     if (writes_) make_room(out);
     if (stopped()) return given_up(directory, "the solution began");
@@ -281,7 +281,7 @@ class Run : public Command {
                                     if (writes_) states.write(way, state, out.aside());
                                   }};
     postproc::RunResult run = solver::solve(
-        prepared.description, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept,
+        prepared.model, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept,
         [this] { return gave_up_ = gave_up_ || stopped(); }, journal);
     run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
     return run;

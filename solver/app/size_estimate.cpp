@@ -55,8 +55,7 @@ void refuse_large_body(const input::Case& description, double limit) {
                                       std::floor(factor * around), std::floor(factor * along), std::max(1.0, std::floor(factor * through))));
 }
 
-void refuse_large_garment(const input::Case& description, double cell_size, double limit) {
-  const input::GarmentSpec& garment = *description.garment;
+void refuse_large_garment(const input::GarmentSpec& garment, double cell_size, double limit) {
   const double area = garment.pattern.flat_circumference * garment.pattern.length;
   const double sides = (2.0 * garment.pattern.flat_circumference + 2.0 * garment.pattern.length) / cell_size;
   const double triangles = area / (0.433 * cell_size * cell_size) + sides;  // equilateral, and at least one at each edge of the rim

@@ -13,7 +13,7 @@ double memory_of_machine();
 /// numbers of cells that would fit when it is over `limit` (bytes).
 void refuse_large_body(const input::Case& description, double limit);
 /// Triangles of the pattern with edges of `cell_size` (m). Throws input::InputError with a cell size that would fit.
-void refuse_large_garment(const input::Case& description, double cell_size, double limit);
+void refuse_large_garment(const input::GarmentSpec& garment, double cell_size, double limit);
 /// The meshed case, of an imported body too. Throws input::InputError.
 void refuse_large_plan(const solver::Plan& plan, double limit, const input::Case& description);
 

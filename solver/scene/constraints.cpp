@@ -7,7 +7,7 @@
 
 #include "materials/laws/solid_law.hpp"
 #include "solver/algebra/communicator.hpp"
-#include "solver/scene/friction_choice.hpp"
+#include "solver/scene/loads.hpp"
 #include "solver/scene/partition.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
@@ -24,10 +24,10 @@ void fix(Constraints& constraints, int entry) {
 }
 
 /// Pressures of layers whose law has none are not part of the system, nor are the fields of hexahedra.
-void constrain_pressures(const mesh::BodyMesh& body, const Layout& layout, Constraints& constraints) {
+void constrain_pressures(const Model& model, const mesh::BodyMesh& body, const Layout& layout, Constraints& constraints) {
   const std::vector<int> layer = pressure_unknowns(body).layer;
   for (std::size_t i = 0; i < layer.size(); ++i)
-    if (!materials::is_split(materials::find_tissue(body.layers[layer[i]].material).law))
+    if (!materials::is_split(model.tissues[layer[i]].law))
       fix(constraints, layout["body pressure"](static_cast<int>(i)));
   for (int i = 0; i < layout["body cells"].count; ++i) fix(constraints, layout["body cells"](i));
 }
@@ -55,44 +55,49 @@ void hold_along(const Eigen::Vector3d& m, int first, Constraints& constraints) {
 }
 
 void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                const Layout& layout, Constraints& constraints) {
+                const Field& position, Constraints& constraints) {
   for (const auto& edge : held)
     if (edge.held == "all")
       for (const int node : garment.edges.at(edge.edge))
-        for (int c = 0; c < 3; ++c) fix(constraints, layout["garment"](node, c));
+        for (int c = 0; c < 3; ++c) fix(constraints, position(node, c));
   if (std::none_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "axis"; })) return;
   const MasterSurface skin({}, body, body.skin_facets);
   for (const auto& edge : held)
     if (edge.held == "axis")
       for (const int node : garment.edges.at(edge.edge))
-        hold_along(meridian(skin, body, garment.placed[node]), layout["garment"](node), constraints);
+        hold_along(meridian(skin, body, garment.placed[node]), position(node), constraints);
 }
 
 bool turns_freely(const input::GarmentSpec& spec) {
   return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == "all"; });
 }
 
-void constrain_garment(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                       const Layout& layout, Constraints& constraints) {
-  auto held = description.garment->held;
-  if (slides_freely(description) && !has_friction(description)) held.push_back({.edge = probe_edge(garment), .held = "axis"});
-  hold_edges(held, body, garment, layout, constraints);
-  if (turns_freely(*description.garment) && !has_friction(description)) {
+void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
+                       const Field& position, Constraints& constraints) {
+  auto held = model.spec.held;
+  if (held.empty() && !rubs) held.push_back({.edge = probe_edge(garment), .held = "axis"});
+  hold_edges(held, body, garment, position, constraints);
+  if (turns_freely(model.spec) && !rubs) {
     const TurnPin pin = turn_pin(garment);
-    fix(constraints, layout["garment"](pin.node, pin.component));
+    fix(constraints, position(pin.node, pin.component));
   }
   if (garment.order == 1)
     for (const auto& triangle : garment.triangles)
       for (int k = 3; k < 6; ++k)
-        for (int c = 0; c < 3; ++c) fix(constraints, layout["garment"](garment.merged[triangle[k]], c));
+        for (int c = 0; c < 3; ++c) fix(constraints, position(garment.merged[triangle[k]], c));
   for (std::size_t node = 0; node < garment.merged.size(); ++node) {
     if (garment.merged[node] == static_cast<int>(node)) continue;
     for (int c = 0; c < 3; ++c) {  // a seam: this side follows the other
-      const int entry = layout["garment"](static_cast<int>(node), c);
+      const int entry = position(static_cast<int>(node), c);
       constraints.add_line(entry);
-      constraints.add_entry(entry, layout["garment"](garment.merged[node], c), 1.0);
+      constraints.add_entry(entry, position(garment.merged[node], c), 1.0);
     }
   }
+}
+
+bool rubs(const Model& model, int garment) {
+  const ContactModel* contact = model.contact_of(garment);
+  return contact && contact->friction.coefficient > 0.0;
 }
 
 }  // namespace
@@ -139,30 +144,31 @@ Tissue::Fields body_fields(const Layout& layout, const std::string& part) {
   return {layout[part], layout[part + " pressure"], layout[part + " cells"]};
 }
 
-Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact) {
+Layout make_layout(const Model& model, const Meshes& meshes, Skin skin) {
   Layout layout;
-  if (deformable) add_positions(layout, "body", body);
-  if (!garment.pattern.empty()) layout.add({.name = "garment", .count = static_cast<int>(garment.pattern.size()), .components = 3});
-  if (deformable) add_pressures(layout, "body", body);
-  if (contact) {
-    std::set<int> vertices;
-    for (const auto& triangle : garment.triangles)
-      for (int v = 0; v < 3; ++v) vertices.insert(garment.merged[triangle[v]]);
-    add_multipliers(layout, "contact", static_cast<int>(vertices.size()));
+  const bool deformable = skin == Skin::deformable;
+  if (deformable) add_positions(layout, "body", meshes.body);
+  for (const mesh::GarmentMesh& garment : meshes.garments)
+    layout.add({.name = garment.name, .count = static_cast<int>(garment.pattern.size()), .components = 3});
+  if (deformable) add_pressures(layout, "body", meshes.body);
+  for (const ContactModel& contact : model.contacts) {
+    if (contact.garment >= 0)
+      add_multipliers(layout, contact.name, static_cast<int>(vertices_of(meshes.garments[contact.garment]).size()));
+    else if (deformable)
+      add_multipliers(layout, contact.name, surface_slave(layout["body"], meshes.body, slave_facets(meshes.body, contact)).vertices());
   }
   return layout;
 }
 
-bool slides_freely(const input::Case& description) { return description.garment && description.garment->held.empty(); }
-
-Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                         const Layout& layout, const Supports& supports) {
+Numbering make_numbering(const Model& model, const Meshes& meshes, const Layout& layout, const Supports& supports) {
   Constraints constraints;
   if (layout["body"].count > 0) {
-    constrain_pressures(body, layout, constraints);
+    constrain_pressures(model, meshes.body, layout, constraints);
     for (const int entry : supports.entries()) fix(constraints, entry);
   }
-  if (layout["garment"].count > 0) constrain_garment(description, body, garment, layout, constraints);
+  for (std::size_t g = 0; g < meshes.garments.size(); ++g)
+    constrain_garment(model.garments[g], rubs(model, static_cast<int>(g)), meshes.body, meshes.garments[g],
+                      layout[meshes.garments[g].name], constraints);
   constraints.close();
   std::vector<int> master(layout.size());
   Bound bound;
@@ -175,15 +181,7 @@ Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& b
     if (!sewn)
       for (const auto& [entry, weight] : line) bound[i].push_back({static_cast<int>(entry), weight});
   }
-  std::vector<int> vertex_node;  // in the order in which contact numbers its multipliers
-  if (layout["contact"].count > 0) {
-    std::vector<char> seen(garment.pattern.size(), 0);
-    for (const auto& triangle : garment.triangles)
-      for (int v = 0; v < 3; ++v)
-        if (const int node = garment.merged[triangle[v]]; !seen[node]) seen[node] = 1, vertex_node.push_back(node);
-  }
-  return Numbering(std::move(master), entry_owners(layout, body, garment, vertex_node, ranks()), ranks(),
-                   std::move(bound));
+  return Numbering(std::move(master), entry_owners(model, meshes, layout, ranks()), ranks(), std::move(bound));
 }
 
 }  // namespace snug::solver

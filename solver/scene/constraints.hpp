@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "cases/input/case.hpp"
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/garment/garment_mesh.hpp"
 #include "solver/algebra/numbering.hpp"
 #include "solver/algebra/state.hpp"
 #include "solver/algebra/layout.hpp"
+#include "solver/scene/model.hpp"
+#include "solver/scene/run.hpp"
 #include "solver/scene/supports.hpp"
 #include "solver/terms/tissue.hpp"
 
@@ -22,11 +23,12 @@ void add_multipliers(Layout& layout, const std::string& interface, int vertices)
 /// What tissue stands on.
 Tissue::Fields body_fields(const Layout& layout, const std::string& part);
 
-/// Fields of a scene. `deformable`: the body's nodes are part of the state.
-Layout make_layout(const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, bool deformable, bool contact);
+/// Which bodies of the tiers take part.
+enum class Skin { rigid, deformable };
 
-/// True when no edge of the garment is held: it can slide off.
-bool slides_freely(const input::Case& description);
+/// Fields of a scene: positions of the body where it is deformable and of the garments by their names, pressures of the body,
+/// pressures of the contacts by theirs.
+Layout make_layout(const Model& model, const Meshes& meshes, Skin skin);
 
 /// The edge ("upper" or "lower") at which such a garment is held all the same, so that the reaction there tells whether
 /// it would slide: the wider one as placed. Without friction a garment is drawn towards the narrow end, and so it hangs
@@ -46,7 +48,6 @@ TurnPin turn_pin(const mesh::GarmentMesh& garment);
 /// the placed foot point, and move freely off the skin and round it (without friction, a garment without any is held at its
 /// probe edge, and one that can turn by its pin; friction needs neither). Built as
 /// deal.II AffineConstraints.
-Numbering make_numbering(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                         const Layout& layout, const Supports& supports);
+Numbering make_numbering(const Model& model, const Meshes& meshes, const Layout& layout, const Supports& supports);
 
 }  // namespace snug::solver

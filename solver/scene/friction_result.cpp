@@ -32,20 +32,20 @@ void fill_balance(const Friction& friction, const State& state, bool deformable,
 }
 
 // Tractions of the vertices, per current area as the pressure is; mid-edge nodes get the mean of their edge.
-void fill_garment(const Contact& contact, const State& state, const Vertices& vertices,
-                  const mesh::GarmentMesh& mesh, postproc::GarmentResult& garment) {
-  garment.shear_traction.assign(mesh.pattern.size(), Eigen::Vector3d::Zero());
-  garment.slip.assign(mesh.pattern.size(), 0.0);
+void fill_garment(const Contact& contact, const State& state, const Vertices& vertices, const mesh::GarmentMesh& mesh, int first,
+                  postproc::GarmentResult& garment) {
+  garment.shear_traction.resize(garment.pattern.size(), Eigen::Vector3d::Zero());
+  garment.slip.resize(garment.pattern.size(), 0.0);
   for (const auto& triangle : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
-      const int node = triangle[k], i = contact.multiplier_of(mesh.merged[node]);
+      const int node = first + triangle[k], i = contact.multiplier_of(mesh.merged[triangle[k]]);
       const double p = contact.pressure(state, i);
       const double per_current_area = p != 0.0 ? garment.contact_pressure[node] / p : 0.0;
       garment.shear_traction[node] = per_current_area * vertices[i].traction;
       garment.slip[node] = static_cast<double>(vertices[i].slip);
     }
     for (int k = 0; k < 3; ++k) {
-      const int a = triangle[k], b = triangle[(k + 1) % 3], middle = triangle[3 + k];
+      const int a = first + triangle[k], b = first + triangle[(k + 1) % 3], middle = first + triangle[3 + k];
       garment.shear_traction[middle] = 0.5 * (garment.shear_traction[a] + garment.shear_traction[b]);
       garment.slip[middle] = std::max(garment.slip[a], garment.slip[b]);
     }
@@ -63,15 +63,17 @@ void fill_numbers(postproc::RunResult& result) {
 
 }  // namespace
 
-void fill_friction(const Scene& scene, const State& state, const mesh::GarmentMesh& garment,
-                   const postproc::SkinPressure& normal, postproc::RunResult& result) {
-  const auto* friction = scene.find<Friction>();
-  if (!friction) return;
-  const auto& contact = *scene.find<Contact>();
-  const Vertices vertices = friction->vertex_tractions(state);
-  fill_samples(*friction, contact, state, vertices, result.samples);
-  fill_balance(*friction, state, scene.layout()["body"].count > 0, result.balance);
-  fill_garment(contact, state, vertices, garment, result.garment);
+void add_friction(const Friction& friction, const Contact& contact, const State& state, bool deformable, const mesh::GarmentMesh& garment,
+                  int first, std::vector<postproc::ContactSample>& samples, postproc::RunResult& result) {
+  const Vertices vertices = friction.vertex_tractions(state);
+  fill_samples(friction, contact, state, vertices, samples);
+  fill_balance(friction, state, deformable, result.balance);
+  fill_garment(contact, state, vertices, garment, first, result.garment);
+}
+
+void fill_skin_friction(const postproc::SkinPressure& normal, postproc::RunResult& result) {
+  const std::size_t nodes = result.garment.pattern.size();  // garments that do not rub have none
+  result.garment.shear_traction.resize(nodes, Eigen::Vector3d::Zero()), result.garment.slip.resize(nodes, 0.0);
   auto skin = postproc::transfer_shear(result.body.skin_facets, normal, result.samples);
   result.body.shear_traction = std::move(skin.traction);
   result.body.slip = std::move(skin.slip);

@@ -8,9 +8,12 @@
 
 namespace snug::solver {
 
-/// Adds friction to samples and balance, and the fields `shear_traction` and `slip` to garment and skin; `normal` is the
-/// skin's pressure from the same samples. Nothing for a scene without friction.
-void fill_friction(const Scene& scene, const State& state, const mesh::GarmentMesh& garment,
-                   const postproc::SkinPressure& normal, postproc::RunResult& result);
+/// Adds the friction of one garment to its samples, to the balance, and as the fields `shear_traction` and `slip` of the garment,
+/// whose nodes begin at `first` in the result.
+void add_friction(const Friction& friction, const Contact& contact, const State& state, bool deformable, const mesh::GarmentMesh& garment,
+                  int first, std::vector<postproc::ContactSample>& samples, postproc::RunResult& result);
+
+/// The same fields of the skin, of all garments together; `normal` is its pressure from the same samples.
+void fill_skin_friction(const postproc::SkinPressure& normal, postproc::RunResult& result);
 
 }  // namespace snug::solver

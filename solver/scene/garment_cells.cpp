@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "materials/fabric/fabric.hpp"
-#include "materials/laws/solid_law.hpp"
 #include "mesh/body/limb.hpp"
 #include "solver/scene/laplace.hpp"
 
@@ -28,20 +26,12 @@ std::vector<mesh::FacetNodeNumbers> covered_facets(const mesh::BodyMesh& body, c
 
 }  // namespace
 
-double softest_shear_modulus(const mesh::BodyMesh& body) {
-  double softest = std::numeric_limits<double>::infinity();
-  for (const auto& layer : body.layers)
-    softest = std::min(softest, materials::initial_shear_modulus(materials::find_tissue(layer.material).law));
-  return softest;
-}
-
-double worn_cell_size(const input::Case& description, const mesh::Limb& limb, const mesh::BodyMesh& body) {
+double worn_cell_size(const Model& model, int g, const mesh::Limb& limb, const mesh::BodyMesh& body) {
   const double usual = 0.6 * std::min(body.mean_skin_cell, needle * mesh::shortest_edge(body, body.skin_facets));
-  if (description.solver.tier != "L4" || !description.contact) return usual;
-  const auto fabric = materials::find_fabric(description.garment->fabric);
-  const LaplacePressure expected = laplace_pressure(*description.garment, fabric, limb, body);
+  if (!model.deformable() || !model.contact_of(g)) return usual;
+  const LaplacePressure expected = laplace_pressure(model.garments[g].spec, model.garments[g].fabric, limb, body);
   const double largest = *std::max_element(expected.pressure.begin(), expected.pressure.end());
-  if (largest < softest_shear_modulus(body)) return usual;
+  if (largest < softest_shear_modulus(model)) return usual;
   return std::min(usual, 0.5 * closer * mesh::shortest_edge(body, covered_facets(body, expected.covered)));
 }
 

@@ -1,8 +1,7 @@
 // How fine a garment has to be for the skin that it presses on.
 #pragma once
 
-#include "cases/input/case.hpp"
-#include "mesh/body/body_mesh.hpp"
+#include "solver/scene/model.hpp"
 
 namespace snug::solver {
 
@@ -10,9 +9,6 @@ namespace snug::solver {
 /// Laplace expects exceeds the shear modulus of the softest tissue the skin is so soft that its nodes escape between
 /// multipliers that stand wider than they do, in a zigzag that costs no energy: there the multipliers stand closer than
 /// the nodes of the skin's shortest side.
-double worn_cell_size(const input::Case& description, const mesh::Limb& limb, const mesh::BodyMesh& body);
-
-/// Shear modulus (Pa) of the softest layer that is solved; infinite for a rigid body.
-double softest_shear_modulus(const mesh::BodyMesh& body);
+double worn_cell_size(const Model& model, int garment, const mesh::Limb& limb, const mesh::BodyMesh& body);
 
 }  // namespace snug::solver

@@ -10,9 +10,7 @@
 #include <limits>
 #include <numbers>
 
-#include "materials/fabric/fabric.hpp"
 #include "solver/scene/body_strain.hpp"
-#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/laplace.hpp"
 
 namespace snug::solver {
@@ -42,6 +40,7 @@ constexpr double largest_stretch = 2.0, smallest_volume_ratio = 0.5;
 struct Piece {
   Eigen::Vector3d x;      ///< middle, m
   double area = 0.0;      ///< on the pattern, m2
+  const materials::Fabric* fabric = nullptr;
 };
 
 double stretch_of(double green_strain) { return std::sqrt(std::max(0.0, 1.0 + 2.0 * green_strain)); }
@@ -54,14 +53,16 @@ double natural_stretch(const materials::TensionCurve& along, double coupling, do
 
 class Guards {
  public:
-  Guards(const input::Case& description, const Meshes& meshes, RunResult& result)
-      : case_(description), meshes_(meshes), result_(result), fabric_(materials::find_fabric(description.garment->fabric)) {
+  Guards(const Model& model, const Meshes& meshes, RunResult& result) : model_(model), meshes_(meshes), result_(result) {
     const auto& garment = result.garment;
-    for (const auto& t : garment.triangles) {
-      const Eigen::Vector2d a = garment.pattern[t[1]] - garment.pattern[t[0]], b = garment.pattern[t[2]] - garment.pattern[t[0]];
-      pieces_.push_back({(garment.current[t[0]] + garment.current[t[1]] + garment.current[t[2]]) / 3.0, 0.5 * std::abs(a.x() * b.y() - a.y() * b.x())});
-      area_ += pieces_.back().area;
-    }
+    for (std::size_t g = 0; g < garment.parts.size(); ++g)
+      for (int i = garment.parts[g].first_triangle; i < garment.parts[g].end_triangle; ++i) {
+        const auto& t = garment.triangles[i];
+        const Eigen::Vector2d a = garment.pattern[t[1]] - garment.pattern[t[0]], b = garment.pattern[t[2]] - garment.pattern[t[0]];
+        pieces_.push_back({(garment.current[t[0]] + garment.current[t[1]] + garment.current[t[2]]) / 3.0,
+                           0.5 * std::abs(a.x() * b.y() - a.y() * b.x()), &model.garments[g].fabric});
+        area_ += pieces_.back().area;
+      }
   }
 
   void operator()() {
@@ -86,9 +87,9 @@ class Guards {
     double angle = std::atan2(x.y() - centre.y(), x.x() - centre.x());
     if (angle < 0.0) angle += 2.0 * std::numbers::pi;
     std::string text = fmt::format("height {:.0f} mm, {:.0f} deg", 1e3 * x.z(), angle * 180.0 / std::numbers::pi);
-    if (case_.body)
-      if (const int location = mesh::location_of(case_.body->locations, angle, x.z()); location >= 0)
-        text += " (" + case_.body->locations[location].name + ")";
+    if (const auto& body = model_.asked.body)
+      if (const int location = mesh::location_of(body->locations, angle, x.z()); location >= 0)
+        text += " (" + body->locations[location].name + ")";
     return text;
   }
 
@@ -112,26 +113,36 @@ class Guards {
     return sum / area_;
   }
 
+  /// The end of a fabric's data as a strain, of the direction whose data end first.
+  static double data_end(const materials::Fabric& fabric) {
+    return stretch_of(std::min(fabric.warp.data_end(), fabric.weft.data_end())) - 1.0;
+  }
+
   void look_at_data() {
-    const double warp_end = stretch_of(fabric_.warp.data_end()) - 1.0, weft_end = stretch_of(fabric_.weft.data_end()) - 1.0;
     const auto& garment = result_.garment;
     const auto strain_over_end = [&](std::size_t t) {
-      return std::max((garment.stretch_warp[t] - 1.0) / warp_end, (garment.stretch_weft[t] - 1.0) / weft_end);
+      const materials::Fabric& fabric = *pieces_[t].fabric;
+      return std::max((garment.stretch_warp[t] - 1.0) / (stretch_of(fabric.warp.data_end()) - 1.0),
+                      (garment.stretch_weft[t] - 1.0) / (stretch_of(fabric.weft.data_end()) - 1.0));
     };
     const auto strain = [&](std::size_t t) { return std::max(garment.stretch_warp[t], garment.stretch_weft[t]) - 1.0; };
     const auto beyond = [&](std::size_t t) { return strain_over_end(t) > beyond_end; };
     double largest = 0.0;
     for (std::size_t t = 0; t < pieces_.size(); ++t) largest = std::max(largest, strain(t));
     number("fabric_largest_strain") = largest;
-    const double end = std::min(warp_end, weft_end);
+    const auto weakest = std::min_element(model_.garments.begin(), model_.garments.end(), [](const auto& a, const auto& b) {
+      return data_end(a.fabric) < data_end(b.fabric);
+    });
+    const double end = data_end(weakest->fabric);
     if (!std::isfinite(end)) return;
     number("fabric_data_end") = end;
     const double found = number("fabric_beyond_data_share") = share(beyond);
     if (found <= worth_a_word) return;
+    const std::string& fabric = weakest->fabric.name;
     warn({.name = "fabric beyond its data",
           .text = fmt::format("{:.0f} % of the cloth is stretched beyond the {:.1f} % to which {} is measured, by up to {:.1f} %; there its curve "
                               "is continued straight",
-                              100.0 * found, 100.0 * end, fabric_.name.empty() ? "the fabric" : fabric_.name, 100.0 * largest),
+                              100.0 * found, 100.0 * end, fabric.empty() ? "the fabric" : fabric, 100.0 * largest),
           .place = place(beyond, strain_over_end),
           .remedy = "choose a larger size, or a fabric whose data reach that far",
           .quantity = "fabric_beyond_data_share",
@@ -141,8 +152,9 @@ class Guards {
   /// 1 - stretch over that of taut cloth, in the direction in which it is largest.
   double gathering(std::size_t t) const {
     const double warp = result_.garment.stretch_warp[t], weft = result_.garment.stretch_weft[t];
-    return std::max({0.0, 1.0 - warp / natural_stretch(fabric_.warp, fabric_.coupling, weft),
-                     1.0 - weft / natural_stretch(fabric_.weft, fabric_.coupling, warp)});
+    const materials::Fabric& fabric = *pieces_[t].fabric;
+    return std::max({0.0, 1.0 - warp / natural_stretch(fabric.warp, fabric.coupling, weft),
+                     1.0 - weft / natural_stretch(fabric.weft, fabric.coupling, warp)});
   }
 
   void look_at_folds() {
@@ -164,7 +176,7 @@ class Guards {
   }
 
   std::string remedy_of_folds() const {
-    if (!has_friction(case_)) return "give contact.friction (textiles on dry skin: 0.2 to 0.6) or hold both edges; without either nothing keeps the cloth spread";
+    if (!model_.has_friction()) return "give contact.friction (textiles on dry skin: 0.2 to 0.6) or hold both edges; without either nothing keeps the cloth spread";
     return "choose a garment that is no longer and no wider than what it covers";
   }
 
@@ -211,21 +223,24 @@ class Guards {
     return place(bare, [&](std::size_t t) { return bare(t) ? 1.0 : 0.0; });
   }
 
-  /// Of the garment as placed, round the limb between its edges.
-  double mean_girth() const {
+  /// Of a garment as placed, round the limb between its edges.
+  double mean_girth(const input::GarmentSpec& garment) const {
     constexpr int rows = 32;
-    const auto& garment = *case_.garment;
     double girth = 0.0;
     for (int i = 0; i < rows; ++i) girth += meshes_.limb.girth(garment.position + garment.pattern.length * (i + 0.5) / rows) / rows;
     return girth;
   }
 
-  /// Between the placed garment's area and the same with the contraction that stretch round the limb brings along.
+  /// Between the placed garments' area and the same with the contraction that stretch round the limb brings along.
   void look_at_area(bool said) {
-    const auto& garment = *case_.garment;
-    const double girth = mean_girth(), stretch = girth / garment.pattern.flat_circumference, placed = girth * garment.pattern.length;
-    const bool along = garment.warp == "along";
-    const double contraction = natural_stretch(along ? fabric_.warp : fabric_.weft, fabric_.coupling, stretch);
+    double placed = 0.0, contracted = 0.0;
+    for (const GarmentModel& model : model_.garments) {
+      const double girth = mean_girth(model.spec), stretch = girth / model.spec.pattern.flat_circumference, area = girth * model.spec.pattern.length;
+      const bool along = model.spec.warp == "along";
+      placed += area;
+      contracted += area * natural_stretch(along ? model.fabric.warp : model.fabric.weft, model.fabric.coupling, stretch);
+    }
+    const double contraction = contracted / placed;
     const double found = number("contact_area_over_expected") = touching(false) / placed;
     if (said || (found > contraction / far_from_area && found < far_from_area)) return;
     warn({.name = "contact area",
@@ -251,7 +266,7 @@ class Guards {
 
   void look_at_laplace() {
     const auto mean = result_.numbers.find("mean_contact_pressure_Pa");
-    const double given = give(), expected = laplace_pressure(*case_.garment, fabric_, meshes_.limb, meshes_.body, given).mean;
+    const double given = give(), expected = laplace_pressure(model_.garments, meshes_.limb, meshes_.body, given).mean;
     if (mean == result_.numbers.end() || !(expected > 0.0)) return;
     const double found = number("mean_pressure_over_laplace") = mean->second / expected;
     if (found < far_from_laplace && found > 1.0 / far_from_laplace) return;
@@ -279,33 +294,32 @@ class Guards {
             .place = at(strain.squeezed_at), .remedy = remedy, .quantity = "body_smallest_volume_ratio", .limit = smallest_volume_ratio});
   }
 
-  const input::Case& case_;
+  const Model& model_;
   const Meshes& meshes_;
   RunResult& result_;
-  materials::Fabric fabric_;
   std::vector<Piece> pieces_;
   double area_ = 0.0;
 };
 
 }  // namespace
 
-void guard(const input::Case& description, const Meshes& meshes, RunResult& result) {
-  if (description.garment && !result.garment.triangles.empty()) Guards(description, meshes, result)();
+void guard(const Model& model, const Meshes& meshes, RunResult& result) {
+  if (!model.garments.empty() && !result.garment.triangles.empty()) Guards(model, meshes, result)();
 }
 
-std::vector<std::string> what_to_try(const input::Case& description, const Meshes& meshes, const RunResult& result) {
+std::vector<std::string> what_to_try(const Model& model, const Meshes& meshes, const RunResult& result) {
   std::vector<std::string> list;
   if (result.status == "converged") return list;
-  const auto& garment = description.garment;
-  const bool contact = garment && description.contact;
-  if (contact && !has_friction(description))
+  const bool contact = model.contact_of(0) != nullptr;
+  if (contact && !model.has_friction())
     list.push_back("give contact.friction (textiles on dry skin: 0.2 to 0.6): without it cloth slides and gathers at no cost");
-  if (contact && garment->held.empty())
+  if (contact && model.slides_freely())
     list.push_back("hold an edge that something really holds: garment.held = [{ edge = \"upper\", held = \"axis\" }]");
   const auto stretch = result.numbers.find("fabric_largest_strain");
   if (stretch != result.numbers.end() && stretch->second > 0.5)
     list.push_back(fmt::format("choose a larger size: the cloth is stretched by {:.0f} % already in this state", 100.0 * stretch->second));
-  if (garment && garment->cell_size > 0.0 && garment->cell_size > 0.5 * meshes.body.mean_skin_cell)
+  if (std::any_of(model.garments.begin(), model.garments.end(),
+                  [&](const auto& garment) { return garment.spec.cell_size > 0.5 * meshes.body.mean_skin_cell; }))
     list.push_back("leave garment.cell_size out: cloth coarser than the skin's nodes lets the skin buckle between its own");
   if (result.truth.stage == "body") list.push_back("look at the garment on the rigid skin first (solver.tier = \"L1\"), then at a stiffer or thicker tissue");
   return list;

@@ -20,9 +20,9 @@ namespace snug::solver {
 ///   contact_area_over_expected              against the placed garment's area on the skin
 ///   mean_pressure_over_laplace              against tension times curvature on the skin as far as it has given way
 ///   body_largest_stretch, body_smallest_volume_ratio
-void guard(const input::Case& description, const Meshes& meshes, postproc::RunResult& result);
+void guard(const Model& model, const Meshes& meshes, postproc::RunResult& result);
 
 /// What to try when a run has not converged, from what the case has and where it stopped; one sentence each.
-std::vector<std::string> what_to_try(const input::Case& description, const Meshes& meshes, const postproc::RunResult& result);
+std::vector<std::string> what_to_try(const Model& model, const Meshes& meshes, const postproc::RunResult& result);
 
 }  // namespace snug::solver

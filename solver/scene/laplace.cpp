@@ -39,6 +39,15 @@ double turn_of(const mesh::Limb& limb, const Eigen::Vector3d& x) {
   return turn - std::floor(turn);
 }
 
+// Over the covered skin.
+double mean(const LaplacePressure& laplace, const mesh::BodyMesh& body) {
+  double area = 0.0, sum = 0.0;
+  const std::vector<double> areas = postproc::nodal_areas(body.skin_facets, body.nodes.size(), body.nodes);
+  for (std::size_t node = 0; node < areas.size(); ++node)
+    if (laplace.covered[node]) area += areas[node], sum += areas[node] * laplace.pressure[node];
+  return area > 0.0 ? sum / area : 0.0;
+}
+
 }  // namespace
 
 LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
@@ -59,12 +68,22 @@ LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materi
       result.covered[node] = 1;
       result.pressure[node] = std::max(0.0, it->second.dot(Eigen::Vector2d(1.0 / (1.0 - give), 1.0).cwiseProduct(limb.skin_curvature(turn_of(limb, x), x.z()))));
     }
-  double area = 0.0;
-  const std::vector<double> areas = postproc::nodal_areas(body.skin_facets, body.nodes.size(), body.nodes);
-  for (std::size_t node = 0; node < areas.size(); ++node)
-    if (result.covered[node]) area += areas[node], result.mean += areas[node] * result.pressure[node];
-  if (area > 0.0) result.mean /= area;
+  result.mean = mean(result, body);
   return result;
+}
+
+LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const mesh::Limb& limb, const mesh::BodyMesh& body,
+                                 double give) {
+  LaplacePressure all;
+  all.pressure.assign(body.nodes.size(), 0.0);
+  all.covered.assign(body.nodes.size(), 0);
+  for (const GarmentModel& garment : garments) {
+    const LaplacePressure one = laplace_pressure(garment.spec, garment.fabric, limb, body, give);
+    for (std::size_t n = 0; n < body.nodes.size(); ++n)
+      if (one.covered[n]) all.covered[n] = 1, all.pressure[n] += one.pressure[n];
+  }
+  all.mean = mean(all, body);
+  return all;
 }
 
 }  // namespace snug::solver

@@ -3,9 +3,7 @@
 
 #include <vector>
 
-#include "cases/input/case.hpp"
-#include "materials/fabric/fabric.hpp"
-#include "mesh/body/body_mesh.hpp"
+#include "solver/scene/model.hpp"
 
 namespace snug::solver {
 
@@ -20,5 +18,8 @@ struct LaplacePressure {
 /// share by which the body gives way under it; girths are that much smaller and curvatures around larger.
 LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
                                  const mesh::Limb& limb, const mesh::BodyMesh& body, double give = 0.0);
+/// Of all garments together: where several cover the skin their pressures add up.
+LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const mesh::Limb& limb, const mesh::BodyMesh& body,
+                                 double give = 0.0);
 
 }  // namespace snug::solver

@@ -42,7 +42,8 @@ void add_force(const input::Force& force, const mesh::BodyMesh& body, NodalForce
 
 }  // namespace
 
-NodalForces dead_forces(const input::LoadSpec& load, const mesh::BodyMesh& body) {
+NodalForces dead_forces(const Model& model, const mesh::BodyMesh& body) {
+  const input::LoadSpec load = model.asked.load.value_or(input::LoadSpec{});
   NodalForces forces(body.nodes.size(), Eigen::Vector3d::Zero());
   for (const mesh::NodalForce& force : body.forces) forces[force.node] += force.force;
   for (const auto& t : load.traction) add_traction(body, facets_of(body, t.on, t.where), vector(t.value), forces);
@@ -51,7 +52,7 @@ NodalForces dead_forces(const input::LoadSpec& load, const mesh::BodyMesh& body)
     if (!body.shell.empty())
       throw input::InputError({}, "gravity does not act on a shell body", "give its weight as [[load.traction]]");
     std::vector<double> density;
-    for (const auto& layer : body.layers) density.push_back(materials::find_tissue(layer.material).density);
+    for (const materials::Tissue& tissue : model.tissues) density.push_back(tissue.density);
     add_weight(body, density, gravity, forces);
   }
   return forces;
@@ -71,26 +72,46 @@ LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMes
   return {garment.bending.value_or(loose && mesh.order == 2), garment.weight.value_or(loose)};
 }
 
-void add_loose_cloth(const input::Case& description, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric, Scene& scene) {
-  const LooseCloth cloth = loose_cloth(*description.garment, mesh);
-  if (cloth.bending) scene.add(std::make_unique<FabricBending>(scene.layout()["garment"], mesh, fabric.bending));
+void add_loose_cloth(const Model& model, int g, const mesh::GarmentMesh& mesh, Scene& scene) {
+  const LooseCloth cloth = loose_cloth(model.garments[g].spec, mesh);
+  const materials::Fabric fabric = materials::with_usual_sheet(model.garments[g].fabric);
+  const Field& position = scene.layout()[mesh.name];
+  if (cloth.bending) scene.add(std::make_unique<FabricBending>(mesh.name, position, mesh, fabric.bending));
   if (!cloth.weight) return;
-  const bool given = description.load && description.load->gravity != std::array<double, 3>{0, 0, 0};
+  const auto& load = model.asked.load;
+  const bool given = load && load->gravity != std::array<double, 3>{0, 0, 0};
   NodalForces forces(mesh.pattern.size(), Eigen::Vector3d::Zero());
-  add_weight(mesh, fabric.areal_density, vector(given ? description.load->gravity : upright_gravity), forces);
-  scene.add(std::make_unique<DeadLoad>("weight of the garment", scene.layout()["garment"], forces));
+  add_weight(mesh, fabric.areal_density, vector(given ? load->gravity : upright_gravity), forces);
+  scene.add(std::make_unique<DeadLoad>("weight of " + mesh.name, position, forces));
 }
 
-void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene) {
+std::vector<mesh::FacetNodeNumbers> contact_facets(const mesh::BodyMesh& body, const std::string& name, const input::Location& where) {
+  const auto& facets = named_surface(body, name, where).facets;
+  if (facets.empty())
+    throw input::InputError(where, fmt::format("\"{}\" has no facets: it is a curve, a point, or not on the boundary", name),
+                            "name two surfaces that face each other");
+  return facets;
+}
+
+std::vector<mesh::FacetNodeNumbers> slave_facets(const mesh::BodyMesh& body, const ContactModel& contact) {
+  if (mesh::facet_kind(body.kind) != mesh::FacetKind::tri6)
+    throw input::InputError(contact.where, fmt::format("the slave \"{}\" is made of hexahedra", contact.slave),
+                            "contact of two surfaces takes quadratic tetrahedra: mesh both solids with them");
+  return contact_facets(body, contact.slave, contact.where);
+}
+
+void add_loads(const Model& model, const mesh::BodyMesh& body, Scene& scene) {
+  const input::LoadSpec load = model.asked.load.value_or(input::LoadSpec{});
+  const Field& position = scene.layout()["body"];
   const auto press = [&](const std::string& name, const std::vector<mesh::FacetNodeNumbers>& facets, double pressure) {
-    auto term = std::make_unique<PressureLoad>(scene.layout()["body"], body, name, facets, pressure);
+    auto term = std::make_unique<PressureLoad>(position, body, name, facets, pressure);
     term->hold_border(scene.numbering());
     scene.add(std::move(term));
   };
   for (const mesh::FacetPressure& p : body.pressures) press("faces of the file", p.facets, p.value);
   if (load.skin_pressure != 0.0) press("skin", body.skin_facets, load.skin_pressure);
   for (const auto& p : load.pressure) press(p.on, facets_of(body, p.on, p.where), p.value);
-  auto dead = std::make_unique<DeadLoad>("dead load", scene.layout()["body"], dead_forces(load, body));
+  auto dead = std::make_unique<DeadLoad>("dead load", position, dead_forces(model, body));
   if (!dead->empty()) scene.add(std::move(dead));
 }
 

@@ -7,7 +7,7 @@
 namespace snug::solver {
 
 /// Tractions, forces and weight of the case and the forces of an imported body, N, one a node.
-NodalForces dead_forces(const input::LoadSpec& load, const mesh::BodyMesh& body);
+NodalForces dead_forces(const Model& model, const mesh::BodyMesh& body);
 /// Follower pressures on the skin, on named surfaces and of an imported body.
 std::vector<mesh::FacetPressure> surface_pressures(const input::LoadSpec& load, const mesh::BodyMesh& body);
 
@@ -20,11 +20,16 @@ struct LooseCloth {
   bool bending = false, weight = false;
 };
 LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMesh& mesh);
-/// Adds what of it the scene has; `fabric` has a weight and a bending stiffness (materials::with_usual_sheet).
-void add_loose_cloth(const input::Case& description, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric, Scene& scene);
+/// Adds what of it the scene has; a fabric that says nothing has the usual weight and bending stiffness.
+void add_loose_cloth(const Model& model, int garment, const mesh::GarmentMesh& mesh, Scene& scene);
+
+/// Facets of a surface that a contact names. Throws input::InputError where there are none, and for a slave that is not made of
+/// quadratic tetrahedra.
+std::vector<mesh::FacetNodeNumbers> contact_facets(const mesh::BodyMesh& body, const std::string& name, const input::Location& where);
+std::vector<mesh::FacetNodeNumbers> slave_facets(const mesh::BodyMesh& body, const ContactModel& contact);
 
 /// Adds follower pressures, and tractions, forces and weight as one dead load. Throws input::InputError where a load
 /// names a surface that is not there or has no facets.
-void add_loads(const input::LoadSpec& load, const mesh::BodyMesh& body, Scene& scene);
+void add_loads(const Model& model, const mesh::BodyMesh& body, Scene& scene);
 
 }  // namespace snug::solver

@@ -8,6 +8,8 @@
 #include <limits>
 #include <map>
 
+#include "solver/scene/loads.hpp"
+#include "solver/terms/contact_slave.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
 
 namespace snug::solver {
@@ -71,36 +73,64 @@ void lowest(const Elements& elements, const std::vector<int>& rank, std::vector<
     for (const int node : elements[e]) owner[node] = std::min(owner[node], rank[e]);
 }
 
+std::vector<int> body_owners(const mesh::BodyMesh& body, const std::vector<int>& cell_rank, int nodes, int ranks) {
+  std::vector<int> owner(nodes, ranks - 1);
+  if (!body.shell.empty()) {
+    std::vector<std::array<int, 6>> shell(body.shell.size());
+    for (std::size_t t = 0; t < shell.size(); ++t) std::copy_n(body.shell[t].nodes.begin(), 6, shell[t].begin());
+    lowest(shell, share_out(shell, nodes, ranks), owner);
+  }
+  lowest(body.cells, cell_rank, owner);
+  return owner;
+}
+
+void put(const Field& field, const std::vector<int>& of_item, std::vector<int>& owner) {
+  for (int i = 0; i < field.count; ++i)
+    for (int c = 0; c < field.components; ++c) owner[field(i, c)] = of_item[i];
+}
+
 }  // namespace
 
-std::vector<int> entry_owners(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                              const std::vector<int>& node_of_multiplier, int ranks) {
+std::vector<int> vertices_of(const mesh::GarmentMesh& garment) {
+  std::vector<int> nodes;
+  std::vector<char> seen(garment.pattern.size(), 0);
+  for (const auto& triangle : garment.triangles)
+    for (int v = 0; v < 3; ++v)
+      if (const int node = garment.merged[triangle[v]]; !seen[node]) seen[node] = 1, nodes.push_back(node);
+  return nodes;
+}
+
+std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const Layout& layout, int ranks) {
   std::vector<int> owner(layout.size(), 0);
   if (ranks == 1) return owner;
-  const auto triangles = sewn(garment);
-  std::vector<int> body_owner(layout["body"].count, ranks - 1), garment_owner(layout["garment"].count, ranks - 1);
-  std::vector<int> triangle_rank;
-  if (layout["body"].count > 0) {
-    if (!body.shell.empty()) {
-      std::vector<std::array<int, 6>> shell(body.shell.size());
-      for (std::size_t t = 0; t < shell.size(); ++t) std::copy_n(body.shell[t].nodes.begin(), 6, shell[t].begin());
-      lowest(shell, share_out(shell, layout["body"].count, ranks), body_owner);
-    }
-    const std::vector<int> cell_rank = share_out(body.cells, layout["body"].count, ranks);
-    lowest(body.cells, cell_rank, body_owner);
-    std::vector<int> pressure_owner(layout["body pressure"].count, ranks - 1);
-    lowest(pressure_unknowns(body).of_cell, cell_rank, pressure_owner);
-    for (int i = 0; i < layout["body pressure"].count; ++i) owner[layout["body pressure"](i)] = pressure_owner[i];
-    if (!garment.triangles.empty()) triangle_rank = triangle_ranks_by_facet(body, garment, facet_ranks(body, cell_rank));
-  } else {
-    triangle_rank = share_out(triangles, layout["garment"].count, ranks);
+  const Field& position = layout["body"];
+  std::vector<int> cell_rank, of_body;
+  if (position.count > 0) {
+    cell_rank = share_out(meshes.body.cells, position.count, ranks);
+    of_body = body_owners(meshes.body, cell_rank, position.count, ranks);
+    std::vector<int> of_pressure(layout["body pressure"].count, ranks - 1);
+    lowest(pressure_unknowns(meshes.body).of_cell, cell_rank, of_pressure);
+    put(position, of_body, owner), put(layout["body pressure"], of_pressure, owner);
   }
-  lowest(triangles, triangle_rank, garment_owner);
-  for (int node = 0; node < layout["body"].count; ++node)
-    for (int c = 0; c < 3; ++c) owner[layout["body"](node, c)] = body_owner[node];
-  for (int node = 0; node < layout["garment"].count; ++node)
-    for (int c = 0; c < 3; ++c) owner[layout["garment"](node, c)] = garment_owner[node];
-  for (int i = 0; i < layout["contact"].count; ++i) owner[layout["contact"](i)] = garment_owner[node_of_multiplier[i]];
+  std::vector<std::vector<int>> of_garment;
+  for (const mesh::GarmentMesh& garment : meshes.garments) {
+    const auto triangles = sewn(garment);
+    const int nodes = static_cast<int>(garment.pattern.size());
+    const std::vector<int> rank = position.count > 0 ? triangle_ranks_by_facet(meshes.body, garment, facet_ranks(meshes.body, cell_rank))
+                                                     : share_out(triangles, nodes, ranks);
+    lowest(triangles, rank, of_garment.emplace_back(nodes, ranks - 1));
+    put(layout[garment.name], of_garment.back(), owner);
+  }
+  for (const ContactModel& contact : model.contacts) {
+    const Field& pressures = layout[contact.name];
+    std::vector<int> of_vertex;
+    if (contact.garment >= 0)
+      for (const int node : vertices_of(meshes.garments[contact.garment])) of_vertex.push_back(of_garment[contact.garment][node]);
+    else if (pressures.count > 0)
+      for (const int node : surface_slave(position, meshes.body, slave_facets(meshes.body, contact)).node_of_vertex())
+        of_vertex.push_back(of_body[node]);
+    put(pressures, of_vertex, owner);
+  }
   return owner;
 }
 

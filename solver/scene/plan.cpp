@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "materials/fabric/fabric.hpp"
-#include "materials/laws/solid_law.hpp"
 #include "solver/scene/constraints.hpp"
-#include "solver/scene/friction_choice.hpp"
-#include "solver/scene/garment_cells.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/run.hpp"
@@ -25,16 +21,12 @@ long count(const Numbering& numbering, int begin, int end) {
   return sum;
 }
 
-void count_unknowns(const input::Case& description, const Meshes& meshes, bool deformable, Plan& plan) {
-  const bool contact = description.garment && description.contact;
-  const Layout layout = make_layout(meshes.body, meshes.garment, deformable, contact);
-  const Numbering numbering = make_numbering(description, meshes.body, meshes.garment, layout,
-                                             Supports(description, meshes.body, layout));
-  const auto put = [&](const std::string& part, int begin, int end) {
-    if (end > begin) plan.unknowns[part] = count(numbering, begin, end);
-  };
+void count_unknowns(const Model& model, const Meshes& meshes, Plan& plan) {
+  const Layout layout = make_layout(model, meshes, model.deformable() ? Skin::deformable : Skin::rigid);
+  const Numbering numbering = make_numbering(model, meshes, layout, Supports(model, meshes.body, layout));
   for (const Field& field : layout.fields())
-    if (field.rows != Rows::cell) put(field.name == "body pressure" ? "pressure" : field.name, field.first, field.end());
+    if (field.rows != Rows::cell && field.count > 0)
+      plan.unknowns[field.name == "body pressure" ? "pressure" : field.name] = count(numbering, field.first, field.end());
 }
 
 void list_shell(const mesh::BodyMesh& body, Plan& plan) {
@@ -52,67 +44,88 @@ void list_shell(const mesh::BodyMesh& body, Plan& plan) {
   }
 }
 
-void list_body(const input::Case& description, const Meshes& meshes, Plan& plan) {
-  if (plan.tier != "L4") {
-    plan.parts_in.push_back(fmt::format("skin: rigid, {} biquadratic facets", meshes.body.skin_facets.size()));
+/// What the body's outer facets are called.
+const char* facets_text(mesh::FacetKind kind) {
+  return kind == mesh::FacetKind::quad9 ? "biquadratic" : kind == mesh::FacetKind::quad4 ? "bilinear" : "quadratic triangular";
+}
+
+void list_body(const Model& model, const Meshes& meshes, Plan& plan) {
+  const mesh::BodyMesh& body = meshes.body;
+  if (!model.deformable()) {
+    plan.parts_in.push_back(fmt::format("skin: rigid, {} {} facets", body.skin_facets.size(), facets_text(facet_kind(body.kind))));
     plan.parts_out.push_back("tissue: tier " + plan.tier + " takes the skin as rigid");
+    for (const auto& support : model.asked.support)
+      plan.parts_out.push_back(fmt::format("support: {}, for tier {} takes the body as rigid", support.on, plan.tier));
     return;
   }
-  if (!meshes.body.shell.empty()) return list_shell(meshes.body, plan);
-  for (std::size_t l = 0; l < meshes.body.layers.size(); ++l) {
-    const auto cells = std::count(meshes.body.cell_layer.begin(), meshes.body.cell_layer.end(), static_cast<int>(l));
-    plan.parts_in.push_back(fmt::format("{}: {}, {} {}", meshes.body.layers[l].name,
-                                        materials::find_tissue(meshes.body.layers[l].material).name, cells,
-                                        to_string(meshes.body.kind)));
+  if (!body.shell.empty()) return list_shell(body, plan);
+  for (std::size_t l = 0; l < body.layers.size(); ++l) {
+    const auto cells = std::count(body.cell_layer.begin(), body.cell_layer.end(), static_cast<int>(l));
+    plan.parts_in.push_back(fmt::format("{}: {}, {} {}", body.layers[l].name, model.tissues[l].name, cells, to_string(body.kind)));
   }
-  for (const auto& membrane : meshes.body.membranes)
+  for (const auto& membrane : body.membranes)
     plan.parts_in.push_back(fmt::format("{}: membrane of {:.2f} mm", membrane.name, 1e3 * membrane.thickness));
-  if (!meshes.body.bone_nodes.empty())
+  if (!body.bone_nodes.empty())
     plan.parts_out.push_back("bone: rigid, a fixed boundary without unknowns");
 }
 
 // Why cloth has bending and weight in this scene or not, and where a number is not the fabric's own.
-void list_loose_cloth(const input::GarmentSpec& garment, const materials::Fabric& fabric, const mesh::GarmentMesh& mesh, Plan& plan) {
+void list_loose_cloth(const std::string& name, const input::GarmentSpec& garment, const materials::Fabric& fabric,
+                      const mesh::GarmentMesh& mesh, Plan& plan) {
   const LooseCloth cloth = loose_cloth(garment, mesh);
   const materials::Fabric sheet = materials::with_usual_sheet(fabric);
   const bool loose = mesh.stand_off > 0.0;
-  const std::string why = loose ? fmt::format("the garment is up to {:.3g} mm wider all round than the body", 1e3 * mesh.stand_off)
-                                : "the garment is nowhere wider than the body";
+  const std::string why = loose ? fmt::format("the {} is up to {:.3g} mm wider all round than the body", name, 1e3 * mesh.stand_off)
+                                : "the " + name + " is nowhere wider than the body";
   const auto put = [&](const std::string& part, bool in, const std::optional<bool>& asked, const std::string& size) {
     const std::string reason = asked ? "the case says so" : in || !loose ? why : "it takes quadratic triangles";
     (in ? plan.parts_in : plan.parts_out).push_back(fmt::format("{}: {}{}", part, in ? size + "; " : "", reason));
   };
   const auto& B = sheet.bending;
-  put("bending", cloth.bending, garment.bending,
+  put(name == "garment" ? "bending" : "bending of the " + name, cloth.bending, garment.bending,
       fmt::format("{:.3g} N m along the warp, {:.3g} along the weft{}", B.warp, B.weft,
                   fabric.bending.warp == 0.0 ? " (assumed: a bending length of 12 mm)" : ""));
-  put("weight of the garment", cloth.weight, garment.weight,
+  put("weight of the " + name, cloth.weight, garment.weight,
       fmt::format("{:.3g} g/m2{}", 1e3 * sheet.areal_density, fabric.areal_density == 0.0 ? " (assumed)" : ""));
 }
 
-void list_garment(const input::Case& description, const Meshes& meshes, Plan& plan) {
-  if (!description.garment) {
-    plan.parts_out.push_back("garment: no [garment] in the case");
-    plan.parts_out.push_back("contact: no garment");
-    return;
-  }
-  const auto fabric = materials::find_fabric(description.garment->fabric);
-  if (plan.tier == "L0") {
-    plan.parts_in.push_back("garment: law of Laplace, tension of " + fabric.name);
-    plan.parts_out.push_back("garment mesh, contact: tier L0 has no unknowns");
-    return;
-  }
-  plan.parts_in.push_back(
-      fmt::format("garment: {}, tension-field membrane, {} P{} triangles", fabric.name, meshes.garment.triangles.size(), meshes.garment.order));
-  if (description.contact)
-    plan.parts_in.push_back("contact: weighted gaps, " + description.contact->basis + " multipliers");
-  else
+void list_contact(const ContactModel* contact, Plan& plan) {
+  const std::string part = contact ? contact->name : "contact", rubbing = contact ? contact->friction_name() : "friction";
+  if (!contact) {
     plan.parts_out.push_back("contact: no [contact] in the case");
-  if (const FrictionChoice friction = friction_choice(description); friction.coefficient > 0.0)
-    plan.parts_in.push_back(fmt::format("friction: coefficient {:g} ({})", friction.coefficient, friction.source));
+    plan.parts_out.push_back("friction: no garment in contact");
+    return;
+  }
+  plan.parts_in.push_back(fmt::format("{}: weighted gaps, {} multipliers{}", part, contact->dual ? "dual" : "hat",
+                                      contact->garment < 0 ? ", on " + contact->master : ""));
+  const FrictionChoice& friction = contact->friction;
+  if (friction.coefficient > 0.0)
+    plan.parts_in.push_back(fmt::format("{}: coefficient {:g} ({})", rubbing, friction.coefficient, friction.source));
   else
-    plan.parts_out.push_back("friction: " + (description.contact ? "none, says " + friction.source : friction.source));
-  list_loose_cloth(*description.garment, fabric, meshes.garment, plan);
+    plan.parts_out.push_back(fmt::format("{}: none, says {}", rubbing, friction.source));
+}
+
+void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
+  const materials::Fabric& fabric = model.garments[g].fabric;
+  const std::string& name = model.garments[g].spec.name;
+  if (plan.tier == "L0") {
+    plan.parts_in.push_back(fmt::format("{}: law of Laplace, tension of {}", name, fabric.name));
+    if (g == 0) plan.parts_out.push_back("garment mesh, contact: tier L0 has no unknowns");
+    return;
+  }
+  const mesh::GarmentMesh& mesh = meshes.garments[g];
+  plan.parts_in.push_back(
+      fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric.name, mesh.triangles.size(), mesh.order));
+  list_contact(model.contact_of(g), plan);
+  list_loose_cloth(name, model.garments[g].spec, fabric, mesh, plan);
+}
+
+void list_garments(const Model& model, const Meshes& meshes, Plan& plan) {
+  if (model.garments.empty()) plan.parts_out.push_back("garment: no [garment] in the case");
+  if (model.garments.empty() && model.contacts.empty()) plan.parts_out.push_back("contact: no garment");
+  for (std::size_t g = 0; g < model.garments.size(); ++g) list_garment(model, static_cast<int>(g), meshes, plan);
+  for (const ContactModel& contact : model.contacts)
+    if (contact.garment < 0) list_contact(&contact, plan);
 }
 
 void list_file_loads(const mesh::BodyMesh& body, Plan& plan) {
@@ -138,47 +151,53 @@ void list_loads(const input::Case& description, const Meshes& meshes, Plan& plan
 }
 
 // Building the scene finds loads that nothing bears.
-void list_free_motions(const input::Case& description, const Meshes& meshes, Plan& plan) {
-  const Supports supports(description, meshes.body, make_layout(meshes.body, meshes.garment, true, false));
+void list_free_motions(const Model& model, const Meshes& meshes, Plan& plan) {
+  const Supports supports(model, meshes.body, make_layout(model, meshes, Skin::deformable));
   if (supports.free_parts().empty()) return;
-  make_scene(description, meshes.body, meshes.garment, Skin::deformable);
+  make_scene(model, meshes, Skin::deformable);
   for (const FreePart& part : supports.free_parts())
     plan.parts_in.push_back(fmt::format("support: {} is free {}: held without force, statically determinate", part.name, motions_text(part)));
 }
 
-// Whether the garment presses harder than the softest tissue is stiff (law of Laplace).
-bool presses_hard(const input::Case& description, const Meshes& meshes) {
-  if (meshes.body.layers.empty()) return false;
-  const auto fabric = materials::find_fabric(description.garment->fabric);
-  return laplace_pressure(*description.garment, fabric, meshes.limb, meshes.body).mean > softest_shear_modulus(meshes.body);
+// Whether a garment presses harder than the softest tissue is stiff (law of Laplace).
+bool presses_hard(const Model& model, const Meshes& meshes) {
+  return std::any_of(model.garments.begin(), model.garments.end(), [&](const GarmentModel& garment) {
+    return laplace_pressure(garment.spec, garment.fabric, meshes.limb, meshes.body).mean > softest_shear_modulus(model);
+  });
+}
+
+bool bends(const Model& model, const Meshes& meshes) {
+  for (std::size_t g = 0; g < model.garments.size(); ++g)
+    if (loose_cloth(model.garments[g].spec, meshes.garments[g]).bending) return true;
+  return false;
 }
 
 // Time and memory by unknowns, fitted to the scenes of tests/stability, on two cores (2026-11): a guide, no promise. A body alone
 // takes half the iterations of one with a garment, friction is let go in a stage of its own, which goes step by step where the
 // garment presses harder than the tissue is stiff, and cloth off the skin takes twice as many.
-void estimate(const input::Case& description, const Meshes& meshes, Plan& plan) {
+void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
   double rigid = 0.0, body = 0.0;
   for (const auto& [part, unknowns] : plan.unknowns) (part == "body" ? body : rigid) += static_cast<double>(unknowns);
   plan.seconds = 1e-4 * rigid + (body > 0.0 ? 4e-6 * std::pow(body + rigid, 1.4) : 0.0);
-  if (!description.garment) plan.seconds *= 0.5;
-  if (has_friction(description)) plan.seconds *= 1.6;
-  if (has_friction(description) && body > 0.0 && presses_hard(description, meshes)) plan.seconds *= 5.0;
-  if (description.garment && loose_cloth(*description.garment, meshes.garment).bending) plan.seconds *= 2.5;
+  if (model.garments.empty()) plan.seconds *= 0.5;
+  if (model.has_friction()) plan.seconds *= 1.6;
+  if (model.has_friction() && body > 0.0 && presses_hard(model, meshes)) plan.seconds *= 5.0;
+  if (plan.tier != "L0" && bends(model, meshes)) plan.seconds *= 2.5;
   plan.memory_bytes = 2e8 + 6e3 * rigid + 3e4 * body;
 }
 
 }  // namespace
 
-Plan plan(const input::Case& description, const Meshes& meshes) {
+Plan plan(const Model& model, const Meshes& meshes) {
   Plan plan;
-  plan.tier = description.solver.tier;
-  list_body(description, meshes, plan);
-  list_garment(description, meshes, plan);
-  if (plan.tier == "L4") list_loads(description, meshes, plan);
-  if (plan.tier == "L4") list_free_motions(description, meshes, plan);
-  if (!description.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
-  if (plan.tier != "L0") count_unknowns(description, meshes, plan.tier == "L4", plan);
-  estimate(description, meshes, plan);
+  plan.tier = model.asked.solver.tier;
+  list_body(model, meshes, plan);
+  list_garments(model, meshes, plan);
+  if (model.deformable()) list_loads(model.asked, meshes, plan);
+  if (model.deformable()) list_free_motions(model, meshes, plan);
+  if (!model.asked.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
+  if (plan.tier != "L0") count_unknowns(model, meshes, plan);
+  estimate(model, meshes, plan);
   return plan;
 }
 

@@ -7,6 +7,8 @@
 #include "postproc/hem.hpp"
 #include "postproc/skin_pressure.hpp"
 #include "solver/scene/friction_result.hpp"
+#include "solver/scene/loads.hpp"
+#include "solver/scene/surface_result.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/shell.hpp"
 
@@ -58,33 +60,46 @@ void fill_shell_stress(const Shell& shell, const mesh::BodyMesh& mesh, const Sta
   }
 }
 
-// Sides of triangles whose mid-edge node is a node of the edge.
-std::vector<postproc::GarmentEdge> named_edges(const mesh::GarmentMesh& mesh) {
-  std::vector<postproc::GarmentEdge> edges;
-  for (const auto& [name, nodes] : mesh.edges) {
-    const std::set<int> on_edge(nodes.begin(), nodes.end());
-    postproc::GarmentEdge edge{name, {}};
-    for (const auto& t : mesh.triangles)
-      for (int k = 0; k < 3; ++k)
-        if (on_edge.count(mesh.merged[t[3 + k]])) edge.sides.push_back({t[k], t[3 + k], t[(k + 1) % 3]});
-    edges.push_back(std::move(edge));
-  }
-  return edges;
+/// Of results "upper edge"; where there are several garments "band, upper".
+std::string edge_of(bool alone, const std::string& garment, const std::string& edge) {
+  return alone ? edge : garment + ", " + edge;
 }
 
-void fill_garment(const FabricMembrane& fabric, const Layout& layout, const State& state, const mesh::GarmentMesh& mesh,
-                  postproc::GarmentResult& result) {
-  result.placed = mesh.placed;
-  result.pattern = mesh.pattern;
-  result.triangles = mesh.triangles;
-  result.edges = named_edges(mesh);
+// Sides of triangles whose mid-edge node is a node of the edge; `first` node of the garment in the result.
+void add_named_edges(const mesh::GarmentMesh& mesh, bool alone, int garment, int first, std::vector<postproc::GarmentEdge>& edges) {
+  for (const auto& [name, nodes] : mesh.edges) {
+    const std::set<int> on_edge(nodes.begin(), nodes.end());
+    postproc::GarmentEdge edge{edge_of(alone, mesh.name, name), {}, garment};
+    for (const auto& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k)
+        if (on_edge.count(mesh.merged[t[3 + k]])) edge.sides.push_back({first + t[k], first + t[3 + k], first + t[(k + 1) % 3]});
+    edges.push_back(std::move(edge));
+  }
+}
+
+void add_nodes(const Field& position, const State& state, const mesh::GarmentMesh& mesh, int first, postproc::GarmentResult& result) {
+  result.placed.insert(result.placed.end(), mesh.placed.begin(), mesh.placed.end());
+  result.pattern.insert(result.pattern.end(), mesh.pattern.begin(), mesh.pattern.end());
+  for (auto triangle : mesh.triangles) {
+    for (int& node : triangle) node += first;
+    result.triangles.push_back(triangle);
+  }
   for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
-    result.current.push_back(state.values.segment<3>(layout["garment"](mesh.merged[node])));
+    result.current.push_back(state.values.segment<3>(position(mesh.merged[node])));
   if (mesh.order == 1)
     for (const auto& triangle : mesh.triangles)
       for (int k = 0; k < 3; ++k)
-        result.current[triangle[3 + k]] = 0.5 * (result.current[triangle[k]] + result.current[triangle[(k + 1) % 3]]);
-  result.contact_pressure.assign(mesh.pattern.size(), 0.0);
+        result.current[first + triangle[3 + k]] =
+            0.5 * (result.current[first + triangle[k]] + result.current[first + triangle[(k + 1) % 3]]);
+}
+
+// Adds a garment behind those that are there.
+void add_garment(const Scene& scene, const State& state, const mesh::GarmentMesh& mesh, bool alone, postproc::GarmentResult& result) {
+  const auto& fabric = *scene.find<FabricMembrane>("fabric of " + mesh.name);
+  const int first = static_cast<int>(result.pattern.size()), first_triangle = static_cast<int>(result.triangles.size());
+  add_nodes(scene.layout()[mesh.name], state, mesh, first, result);
+  add_named_edges(mesh, alone, static_cast<int>(result.parts.size()), first, result.edges);
+  result.contact_pressure.resize(result.pattern.size(), 0.0);
   for (int t = 0; t < fabric.triangles(); ++t) {
     const auto s = fabric.summary(state, t);
     result.tension_warp.push_back(s.tension_warp);
@@ -94,11 +109,12 @@ void fill_garment(const FabricMembrane& fabric, const Layout& layout, const Stat
     result.stretch_weft.push_back(s.stretch_weft);
     result.wrinkled.push_back(s.wrinkled);
   }
+  result.parts.push_back({mesh.name, first, static_cast<int>(result.pattern.size()), first_triangle, static_cast<int>(result.triangles.size())});
 }
 
-// Raw multipliers on the garment, per current area; mid-edge nodes get the mean of their edge.
-void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric, const State& state,
-                           const mesh::GarmentMesh& mesh, std::vector<double>& pressure) {
+// Raw multipliers on the garment, per current area; mid-edge nodes get the mean of their edge. `first`: its node in the result.
+void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric, const State& state, const mesh::GarmentMesh& mesh,
+                           int first, std::vector<double>& pressure) {
   std::vector<double> ratio(mesh.pattern.size(), 0.0), count(mesh.pattern.size(), 0.0);
   for (int t = 0; t < fabric.triangles(); ++t) {
     const double r = fabric.summary(state, t).area_ratio;
@@ -110,29 +126,30 @@ void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric,
   };
   for (const auto& triangle : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      pressure[triangle[k]] = at(triangle[k]);
-      pressure[triangle[3 + k]] = 0.5 * (at(triangle[k]) + at(triangle[(k + 1) % 3]));
+      pressure[first + triangle[k]] = at(triangle[k]);
+      pressure[first + triangle[3 + k]] = 0.5 * (at(triangle[k]) + at(triangle[(k + 1) % 3]));
     }
 }
 
-void fill_samples(const Contact& contact, const FabricMembrane& fabric, const State& state,
-                  std::vector<postproc::ContactSample>& samples) {
-  samples = contact.samples(state);
+std::vector<postproc::ContactSample> samples_of(const Contact& contact, const FabricMembrane& fabric, const State& state) {
+  std::vector<postproc::ContactSample> samples = contact.samples(state);
   auto sample = samples.begin();
   for (const auto& place : contact.places(state)) {
     if (sample->facet >= 0)
       sample->area = fabric.area_ratio(state, place.triangle, place.L) * place.weight * fabric.pattern_area(place.triangle);
     ++sample;
   }
+  return samples;
 }
 
 // Forces and places of the points, in the order of the samples.
-void fill_contact_points(const Contact& contact, const State& state, bool deformable, postproc::RunResult& result) {
-  auto sample = result.samples.begin();
+void fill_contact_points(const Contact& contact, const State& state, bool deformable, std::vector<postproc::ContactSample>& samples,
+                         postproc::Balance& balance) {
+  auto sample = samples.begin();
   for (const auto& point : contact.point_forces(state)) {
     (sample++)->at = point.y;
-    add_action(point.force, point.y, deformable, result.balance);
-    result.balance.contact_force += point.force.norm();
+    add_action(point.force, point.y, deformable, balance);
+    balance.contact_force += point.force.norm();
   }
 }
 
@@ -152,7 +169,7 @@ Eigen::Vector3d hold_of(const Scene& scene, const Eigen::VectorXd& residual, int
 }
 
 // Supports answer at prescribed entries: their force is the residual there.
-void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentMesh& garment, postproc::Balance& balance) {
+void fill_reactions(const Scene& scene, const State& state, const std::vector<mesh::GarmentMesh>& garments, postproc::Balance& balance) {
   const Layout& layout = scene.layout();
   const Eigen::VectorXd residual = scene.full_residual(state);
   const auto answer = [&](int first, const Eigen::Vector3d& force, Eigen::Vector3d& sum) {  // `first`: the node's x entry
@@ -169,17 +186,19 @@ void fill_reactions(const Scene& scene, const State& state, const mesh::GarmentM
       answer(layout["body"](node), residual[layout["body"](node, component)] * Eigen::Vector3d::Unit(component), sum);
     note(name, sum);
   }
-  for (const auto& [name, nodes] : garment.edges) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : nodes) answer(layout["garment"](node), hold_of(scene, residual, layout["garment"](node)), sum);
-    note(name + " edge", sum);
-  }
+  for (const mesh::GarmentMesh& garment : garments)
+    for (const auto& [name, nodes] : garment.edges) {
+      const Field& position = layout[garment.name];
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const int node : nodes) answer(position(node), hold_of(scene, residual, position(node)), sum);
+      note(edge_of(garments.size() == 1, garment.name, name) + " edge", sum);
+    }
   const Eigen::VectorXd load = scene.load_forces(state);
   for (int first = 0; first < layout.positions(); first += 3) {
     const Eigen::Vector3d force = load.segment<3>(first);
     balance.force_error += force;
     balance.moment_error += Eigen::Vector3d(state.values.segment<3>(first)).cross(force);
-    if (const Field& cloth = layout["garment"]; first >= cloth.first && first < cloth.end()) balance.garment_weight += force;
+    if (first >= layout["body"].end()) balance.garment_weight += force;
   }
 }
 
@@ -248,29 +267,72 @@ void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool de
   balance.moment_error += at.cross(force);
 }
 
-void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                 postproc::RunResult& result) {
-  const Layout& layout = scene.layout();
-  for (int node = 0; node < layout["body"].count; ++node)
-    result.body.displacement[node] = state.values.segment<3>(layout["body"](node)) - body.nodes[node];
+namespace {
+
+// Pressure of a garment on the skin, with what friction adds.
+void fill_garment_contact(const Scene& scene, const State& state, const Touch& touch, const mesh::GarmentMesh& mesh,
+                          postproc::RunResult& result) {
+  const auto& fabric = *scene.find<FabricMembrane>("fabric of " + mesh.name);
+  const bool deformable = scene.layout()["body"].count > 0;
+  const auto part = std::find_if(result.garment.parts.begin(), result.garment.parts.end(), [&](const auto& p) { return p.name == mesh.name; });
+  std::vector<postproc::ContactSample> samples = samples_of(*touch.contact, fabric, state);
+  fill_garment_pressure(*touch.contact, fabric, state, mesh, part->first_node, result.garment.contact_pressure);
+  fill_contact_points(*touch.contact, state, deformable, samples, result.balance);
+  if (touch.friction) add_friction(*touch.friction, *touch.contact, state, deformable, mesh, part->first_node, samples, result);
+  result.samples.insert(result.samples.end(), samples.begin(), samples.end());
+}
+
+// What all garments together press on the skin.
+void fill_skin(const mesh::BodyMesh& body, bool friction, postproc::RunResult& result) {
+  std::vector<Eigen::Vector3d> current = result.body.nodes;
+  for (std::size_t i = 0; i < current.size(); ++i) current[i] += result.body.displacement[i];
+  const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);
+  result.body.contact_pressure = pressure.pressure;
+  result.body.coverage = pressure.coverage;
+  result.numbers["max_contact_pressure_Pa"] = postproc::keep_hems_apart(body.mean_skin_cell, result);
+  if (friction) fill_skin_friction(pressure, result);
+}
+
+// Two surfaces of the body: pressure per current area at the slave's nodes, and a row of sums.
+void fill_solid_contact(const Scene& scene, const State& state, const Touch& touch, const ContactModel& model, const mesh::BodyMesh& body,
+                        postproc::RunResult& result) {
+  const SurfacePressures found = surface_pressures(*touch.contact, scene.layout()["body"], state, slave_facets(body, model));
+  for (const auto& [node, pressure] : found.at_node) result.body.contact_pressure[node] = pressure;
+  postproc::SurfaceContact row{model.name, model.slave, model.master, 0.0, found.area, 0.0, 0.0};
+  for (const auto& point : touch.contact->point_forces(state)) row.force += point.force.norm();
+  for (const auto& [node, pressure] : found.at_node) row.largest_pressure = std::max(row.largest_pressure, pressure);
+  if (touch.friction)
+    for (const auto& point : touch.friction->point_forces(state)) row.friction_force += point.force.norm();
+  result.balance.contact_force += row.force, result.balance.friction_force += row.friction_force;
+  result.surface_contacts.push_back(std::move(row));
+}
+
+}  // namespace
+
+std::string edge_name(const Model& model, const mesh::GarmentMesh& garment, const std::string& edge) {
+  return edge_of(model.garments.size() == 1, garment.name, edge) + " edge";
+}
+
+void fill_result(const Scene& scene, const State& state, const Model& model, const Meshes& meshes, postproc::RunResult& result) {
+  const Field& position = scene.layout()["body"];
+  const mesh::BodyMesh& body = meshes.body;
+  for (int node = 0; node < position.count; ++node)
+    result.body.displacement[node] = state.values.segment<3>(position(node)) - body.nodes[node];
   if (const auto* tissue = scene.find<Tissue>()) fill_stress(*tissue, state, result.body);
   if (const auto* shell = scene.find<Shell>()) fill_shell_stress(*shell, body, state, result.body);
-  const auto* fabric = scene.find<FabricMembrane>();
-  if (fabric) fill_garment(*fabric, layout, state, garment, result.garment);
-  if (const auto* contact = scene.find<Contact>()) {
-    fill_samples(*contact, *fabric, state, result.samples);
-    fill_garment_pressure(*contact, *fabric, state, garment, result.garment.contact_pressure);
-    fill_contact_points(*contact, state, layout["body"].count > 0, result);
-    std::vector<Eigen::Vector3d> current = result.body.nodes;
-    for (std::size_t i = 0; i < current.size(); ++i) current[i] += result.body.displacement[i];
-    const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);
-    result.body.contact_pressure = pressure.pressure;
-    result.body.coverage = pressure.coverage;
-    result.numbers["max_contact_pressure_Pa"] = postproc::keep_hems_apart(body.mean_skin_cell, result);
-    fill_friction(scene, state, garment, pressure, result);
+  for (const mesh::GarmentMesh& garment : meshes.garments) add_garment(scene, state, garment, meshes.garments.size() == 1, result.garment);
+  bool on_skin = false, friction = false;
+  for (const Touch& touch : scene.touches()) {
+    if (!touch.of_garment) continue;
+    const auto mesh = std::find_if(meshes.garments.begin(), meshes.garments.end(), [&](const auto& m) { return m.name == touch.slave; });
+    fill_garment_contact(scene, state, touch, *mesh, result);
+    on_skin = true, friction = friction || touch.friction;
   }
-  fill_reactions(scene, state, garment, result.balance);
-  if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, layout, result.balance);
+  if (on_skin) fill_skin(body, friction, result);
+  for (const Touch& touch : scene.touches())
+    if (!touch.of_garment) fill_solid_contact(scene, state, touch, *model.contact(touch.contact->name()), body, result);
+  fill_reactions(scene, state, meshes.garments, result.balance);
+  if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
   fill_free_motions(scene, state, result.numbers);
   result.max_penetration = scene.measure(state).penetration;
   fill_numbers(scene, body, result);

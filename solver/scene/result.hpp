@@ -1,8 +1,6 @@
 // From a state to plain result data.
 #pragma once
 
-#include "mesh/body/body_mesh.hpp"
-#include "mesh/garment/garment_mesh.hpp"
 #include "postproc/result.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -12,8 +10,10 @@ namespace snug::solver {
 postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells);
 
 /// Fills displacement, stress, contact samples, skin pressure, garment fields, balance and `numbers` from the state.
-void fill_result(const Scene& scene, const State& state, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                 postproc::RunResult& result);
+void fill_result(const Scene& scene, const State& state, const Model& model, const Meshes& meshes, postproc::RunResult& result);
+
+/// Name of a garment's edge among the reactions.
+std::string edge_name(const Model& model, const mesh::GarmentMesh& garment, const std::string& edge);
 
 /// Counts a force that acts on the garment at `at` and, opposite, on the skin. On a rigid skin its support answers.
 void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool deformable, postproc::Balance& balance);

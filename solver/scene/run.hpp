@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "cases/input/case.hpp"
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/garment/garment_mesh.hpp"
 #include "postproc/result.hpp"
+#include "solver/scene/model.hpp"
 
 namespace snug::solver {
 
@@ -36,11 +36,11 @@ Rank this_rank();
 /// "openblas", "reference" or "unknown": which BLAS the process has loaded.
 std::string loaded_blas();
 
-/// Meshes of a case; a part that the case does not name is absent (empty cells / triangles).
+/// Meshes of a case; what the case does not name is absent (empty cells, no garments).
 struct Meshes {
   mesh::Limb limb;
   mesh::BodyMesh body;
-  mesh::GarmentMesh garment;
+  std::vector<mesh::GarmentMesh> garments;  ///< in the order of the case
 };
 
 /// Parts of the scene with their unknowns, known before anything is solved.
@@ -51,7 +51,7 @@ struct Plan {
   std::map<std::string, long> unknowns;    ///< "body", "garment", "contact"; parts left out do not appear
   double memory_bytes = 0.0, seconds = 0.0;  ///< expected
 };
-Plan plan(const input::Case& description, const Meshes& meshes);
+Plan plan(const Model& model, const Meshes& meshes);
 
 struct Progress {
   std::string phase;                 ///< "rigid skin", "body", ...
@@ -79,7 +79,7 @@ class Journal;
 /// Solves the scene of the case. Never throws for lack of convergence: the last converged state comes back with its status.
 /// With a journal (solver/stepping/journal.hpp) it goes on from what is recorded there and records more.
 /// Throws input::InputError when the scene cannot have an equilibrium or names parts that do not fit together.
-postproc::RunResult solve(const input::Case& description, const Meshes& meshes, const Observer& observer = {},
+postproc::RunResult solve(const Model& model, const Meshes& meshes, const Observer& observer = {},
                           const KeptStates& kept = {}, const Stop& stop = {}, Journal* journal = nullptr);
 
 }  // namespace snug::solver

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "materials/laws/skin_membrane.hpp"
 #include "solver/algebra/communicator.hpp"
-#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
@@ -72,7 +70,7 @@ Scene::Scene(const Layout& layout, Numbering numbering, Supports supports)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) force_row_[unknown] = 0;
 }
 
-void Scene::add(std::unique_ptr<Term> term) {
+void Scene::own(std::unique_ptr<Term> term) {
   term->damp(proximal_weights_);
   terms_.push_back(std::move(term));
   built_.clear();
@@ -280,84 +278,111 @@ namespace {
 // A garment that sticks gives way to its own tension by this fraction of what a triangle alone would.
 constexpr double sticking = 2.0;
 
-// Pressure per gap of the stiffest part that touches: computed, never a user's number.
-double contact_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment, const mesh::BodyMesh& body,
-                         Skin skin) {
-  double local = fabric.stiffness() / (garment.mean_edge * garment.mean_edge);
-  if (skin == Skin::deformable)
-    for (const auto& layer : body.layers)
-      local = std::max(local, 3.0 * materials::initial_shear_modulus(materials::find_tissue(layer.material).law) /
-                                  body.mean_skin_cell);
-  return local;
+// Pressure per gap of the stiffest layer: computed, never a user's number.
+double body_stiffness(const Model& model, double master_edge) {
+  double stiffest = 0.0;
+  for (const materials::Tissue& tissue : model.tissues)
+    stiffest = std::max(stiffest, 3.0 * materials::initial_shear_modulus(tissue.law) / master_edge);
+  return stiffest;
 }
 
-ShellElasticity shell_elasticity(const mesh::Layer& layer) {
-  const materials::SolidLaw law = materials::find_tissue(layer.material).law;
-  if (const auto* elastic = std::get_if<materials::LinearElastic>(&law)) return {elastic->youngs_modulus, elastic->poisson_ratio};
+// The same of a sheet.
+double sheet_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment) {
+  return fabric.stiffness() / (garment.mean_edge * garment.mean_edge);
+}
+
+ShellElasticity shell_elasticity(const materials::Tissue& tissue, const mesh::Layer& layer) {
+  if (const auto* elastic = std::get_if<materials::LinearElastic>(&tissue.law)) return {elastic->youngs_modulus, elastic->poisson_ratio};
   throw input::InputError(layer.material.where, "the law of the shell \"" + layer.name + "\" is not linear",
                           "write law = \"linear-elastic\" with youngs_modulus and poisson_ratio");
 }
 
-void add_body(const input::Case& description, const mesh::BodyMesh& body, Scene& scene) {
+void add_body(const Model& model, const mesh::BodyMesh& body, Scene& scene) {
+  const Field& position = scene.layout()["body"];
+  scene.add(Part{"body", Role::body, position});
   if (!body.shell.empty()) {
     std::vector<ShellElasticity> elasticity;
-    for (const auto& layer : body.layers) elasticity.push_back(shell_elasticity(layer));
-    scene.add(std::make_unique<Shell>(scene.layout()["body"], body, std::move(elasticity), description.body->where));
-    return add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
+    for (std::size_t l = 0; l < body.layers.size(); ++l) elasticity.push_back(shell_elasticity(model.tissues[l], body.layers[l]));
+    scene.add(std::make_unique<Shell>(position, body, std::move(elasticity), model.asked.body->where));
+  } else {
+    std::vector<materials::SolidLaw> laws;
+    for (const materials::Tissue& tissue : model.tissues) laws.push_back(tissue.law);
+    scene.add(std::make_unique<Tissue>("tissue", body_fields(scene.layout(), "body"), body, std::move(laws)));
+    for (const materials::SkinMembrane& membrane : model.membranes)
+      scene.add(std::make_unique<SkinMembraneTerm>(position, body, membrane));
   }
-  std::vector<materials::SolidLaw> laws;
-  for (const auto& layer : body.layers) laws.push_back(materials::find_tissue(layer.material).law);
-  scene.add(std::make_unique<Tissue>("tissue", body_fields(scene.layout(), "body"), body, std::move(laws)));
-  for (const auto& membrane : body.membranes)
-    scene.add(std::make_unique<SkinMembraneTerm>(
-        scene.layout()["body"], body,
-        materials::SkinMembrane{materials::find_membrane_tissue(membrane.material).law, membrane.thickness}));
-  add_loads(description.load.value_or(input::LoadSpec{}), body, scene);
+  add_loads(model, body, scene);
+}
+
+void add_touch(const ContactModel& contact, bool of_garment, Interface interface, double stiffness, double stick, Scene& scene) {
+  const double edge = interface.slave.mean_edge;
+  Touch touch{.slave = contact.slave, .of_garment = of_garment};
+  touch.contact = &scene.add(std::make_unique<Contact>(contact.name, std::move(interface), stiffness,
+                                                       contact.dual ? GapBasis::dual : GapBasis::hat));
+  if (contact.friction.coefficient > 0.0)
+    touch.friction = &scene.add(std::make_unique<Friction>(contact.friction_name(), *touch.contact, contact.friction.coefficient,
+                                                           Friction::usual_elastic_slip * edge, sticking * stick));
+  scene.add(std::move(touch));
+}
+
+void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std::optional<double> prestretch, Scene& scene) {
+  const GarmentModel& garment = model.garments[g];
+  const mesh::GarmentMesh& mesh = meshes.garments[g];
+  const Field& position = scene.layout()[mesh.name];
+  scene.add(Part{mesh.name, Role::garment, position});
+  scene.add(std::make_unique<FabricMembrane>(mesh.name, position, mesh, garment.fabric, prestretch));
+  add_loose_cloth(model, g, mesh, scene);
+  const ContactModel* contact = model.contact_of(g);
+  if (!contact) return;
+  const double sheet = sheet_stiffness(garment.fabric, mesh);
+  MasterSurface master(scene.layout()["body"], meshes.body, meshes.body.skin_facets);
+  const double stiffness = skin == Skin::deformable ? std::max(sheet, body_stiffness(model, master.mean_edge())) : sheet;
+  add_touch(*contact, true, {scene.layout()[contact->name], garment_slave(position, mesh), std::move(master)}, stiffness, sheet, scene);
+}
+
+void add_solid_contact(const Model& model, const ContactModel& contact, const mesh::BodyMesh& body, Scene& scene) {
+  const Field& position = scene.layout()["body"];
+  MasterSurface master(position, body, contact_facets(body, contact.master, contact.where));
+  const double stiffness = body_stiffness(model, master.mean_edge());
+  add_touch(contact, false,
+            {scene.layout()[contact.name], surface_slave(position, body, slave_facets(body, contact)), std::move(master)}, stiffness,
+            stiffness, scene);
 }
 
 // What is left free must be in balance before anything moves.
-void check_balance(const Scene& scene, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, const input::Location& where) {
-  State state = placed_state(scene.layout(), body, garment);
+void check_balance(const Scene& scene, const Meshes& meshes, const input::Location& where) {
+  State state = placed_state(scene.layout(), meshes);
   state.load = 1.0;
   const Eigen::VectorXd load = scene.load_forces(state);
+  const Field& body = scene.layout()["body"];
   std::vector<Eigen::Vector3d> forces;
-  for (int node = 0; node < scene.layout()["body"].count; ++node) forces.push_back(load.segment<3>(scene.layout()["body"](node)));
-  check_balance(scene.supports(), body, forces, where);
+  for (int node = 0; node < body.count; ++node) forces.push_back(load.segment<3>(body(node)));
+  check_balance(scene.supports(), meshes.body, forces, where);
 }
 
 }  // namespace
 
-Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin,
-                 std::optional<double> prestretch) {
-  const bool deformable = skin == Skin::deformable, contact = description.garment && description.contact;
-  const Layout layout = make_layout(body, garment, deformable, contact);
-  Supports supports(description, body, layout);
-  Numbering numbering = make_numbering(description, body, garment, layout, supports);
+Scene make_scene(const Model& model, const Meshes& meshes, Skin skin, std::optional<double> prestretch) {
+  const Layout layout = make_layout(model, meshes, skin);
+  Supports supports(model, meshes.body, layout);
+  Numbering numbering = make_numbering(model, meshes, layout, supports);
   Scene scene(layout, std::move(numbering), std::move(supports));
-  if (deformable) add_body(description, body, scene);
-  if (!scene.supports().free_parts().empty()) check_balance(scene, body, garment, description.body->where);
-  if (!description.garment) return scene;
-  const materials::Fabric fabric = materials::find_fabric(description.garment->fabric);
-  const Field& position = layout["garment"];
-  scene.add(std::make_unique<FabricMembrane>(position, garment, fabric, prestretch));
-  add_loose_cloth(description, garment, materials::with_usual_sheet(fabric), scene);
-  if (contact)
-    scene.add(std::make_unique<Contact>(
-        "contact", Interface{layout["contact"], garment_slave(position, garment), MasterSurface(layout["body"], body, body.skin_facets)},
-        contact_stiffness(fabric, garment, body, skin), description.contact->basis == "dual" ? GapBasis::dual : GapBasis::hat));
-  if (const double coefficient = friction_choice(description).coefficient; coefficient > 0.0)
-    scene.add(std::make_unique<Friction>("friction", *scene.find<Contact>(), coefficient,
-                                         Friction::usual_elastic_slip * garment.mean_edge,
-                                         sticking * fabric.stiffness() / (garment.mean_edge * garment.mean_edge)));
+  if (skin == Skin::deformable) add_body(model, meshes.body, scene);
+  if (!scene.supports().free_parts().empty()) check_balance(scene, meshes, model.asked.body->where);
+  for (std::size_t g = 0; g < model.garments.size(); ++g) add_garment(model, static_cast<int>(g), meshes, skin, prestretch, scene);
+  for (const ContactModel& contact : model.contacts)
+    if (contact.garment < 0 && skin == Skin::deformable) add_solid_contact(model, contact, meshes.body, scene);
   return scene;
 }
 
-State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment) {
+State placed_state(const Layout& layout, const Meshes& meshes) {
   State state;
   state.values = Eigen::VectorXd::Zero(layout.size());
-  for (int node = 0; node < layout["body"].count; ++node) state.values.segment<3>(layout["body"](node)) = body.nodes[node];
-  for (int node = 0; node < layout["garment"].count; ++node)
-    state.values.segment<3>(layout["garment"](node)) = garment.placed[node];
+  const auto place = [&](const Field& field, const std::vector<Eigen::Vector3d>& at) {
+    for (int node = 0; node < field.count; ++node) state.values.segment<3>(field(node)) = at[node];
+  };
+  place(layout["body"], meshes.body.nodes);
+  for (const mesh::GarmentMesh& garment : meshes.garments) place(layout[garment.name], garment.placed);
   return state;
 }
 

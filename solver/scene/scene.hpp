@@ -3,12 +3,15 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "solver/algebra/costs.hpp"
 #include "solver/algebra/linear_solver.hpp"
 #include "solver/scene/constraints.hpp"
+#include "solver/scene/model.hpp"
+#include "solver/scene/run.hpp"
 #include "solver/terms/contact.hpp"
 #include "solver/terms/fabric_membrane.hpp"
 #include "solver/terms/friction.hpp"
@@ -16,22 +19,48 @@
 
 namespace snug::solver {
 
+/// What a part of a scene is to the others.
+enum class Role { body, garment };
+/// A mesh with its positions in the state.
+struct Part {
+  std::string name;
+  Role role = Role::body;
+  Field position;
+};
+/// A pair of parts that touch, with its terms; they belong to the scene.
+struct Touch {
+  std::string slave;                  ///< part, or a surface of the body
+  bool of_garment = true;             ///< the slave is a part of its own
+  const Contact* contact = nullptr;
+  const Friction* friction = nullptr; ///< null: none
+};
+
 /// Terms, numbering and the matrix they share. Use `make_scene`. What changes is in the state; what is here of it (pattern,
 /// matrix, factor) is that of the state that `update` saw last.
 class Scene {
  public:
   Scene(const Layout& layout, Numbering numbering, Supports supports = {});
 
-  void add(std::unique_ptr<Term> term);
+  /// Returns the term.
+  template <class T>
+  T& add(std::unique_ptr<T> term) {
+    T& added = *term;
+    own(std::move(term));
+    return added;
+  }
+  void add(Part part) { parts_.push_back(std::move(part)); }
+  void add(Touch touch) { touches_.push_back(std::move(touch)); }
+  const std::vector<Part>& parts() const { return parts_; }
+  const std::vector<Touch>& touches() const { return touches_; }
   const Layout& layout() const { return layout_; }
   const Numbering& numbering() const { return numbering_; }
   const Supports& supports() const { return supports_; }
   const std::vector<std::unique_ptr<Term>>& terms() const { return terms_; }
-  /// The term of type T, or null where the scene has none.
+  /// The first term of type T, of that name if one is given, or null where the scene has none.
   template <class T>
-  T* find() const {
+  T* find(const std::string& name = {}) const {
     for (const auto& term : terms_)
-      if (auto* found = dynamic_cast<T*>(term.get())) return found;
+      if (auto* found = dynamic_cast<T*>(term.get()); found && (name.empty() || found->name() == name)) return found;
     return nullptr;
   }
 
@@ -89,6 +118,7 @@ class Scene {
   bool renews_near_answer() const;
 
  private:
+  void own(std::unique_ptr<Term> term);
   bool pattern_is_of(const State& state) const;
   void rebuild(const State& state);
   double force_norm(const Eigen::VectorXd& rows) const;
@@ -97,6 +127,8 @@ class Scene {
   Numbering numbering_;
   Supports supports_;
   std::vector<std::unique_ptr<Term>> terms_;
+  std::vector<Part> parts_;
+  std::vector<Touch> touches_;
   SparseScatter scatter_;
   LinearSolver solver_;
   Eigen::VectorXd proximal_weights_;
@@ -106,15 +138,11 @@ class Scene {
   Histories built_of_;                        ///< keeps them alive
 };
 
-/// Which bodies of the tiers take part.
-enum class Skin { rigid, deformable };
+/// Builds the scene of a case from its parts. With a `prestretch` a garment's rest shape is not its pattern but its
+/// placed shape shrunk by that factor (verification). Throws input::InputError where what the case names does not fit together.
+Scene make_scene(const Model& model, const Meshes& meshes, Skin skin, std::optional<double> prestretch = {});
 
-/// Builds the scene of a case from its parts. With a `prestretch` the garment's rest shape is not its pattern but its
-/// placed shape shrunk by that factor (verification). Throws input::InputError when a material is not found.
-Scene make_scene(const input::Case& description, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment, Skin skin,
-                 std::optional<double> prestretch = {});
-
-/// The strain-free start: body at rest, garment as placed, no contact pressure, s = 0.
-State placed_state(const Layout& layout, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment);
+/// The strain-free start: parts where their meshes have them, no contact pressure, s = 0.
+State placed_state(const Layout& layout, const Meshes& meshes);
 
 }  // namespace snug::solver

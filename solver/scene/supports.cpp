@@ -18,13 +18,16 @@ const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string
 }
 
 // A garment whose edges stand in space holds the body in it by contact alone.
-bool held_by_garment(const input::Case& description) {
-  return description.garment && description.contact &&
-         std::any_of(description.garment->held.begin(), description.garment->held.end(),
-                     [](const auto& edge) { return edge.held == "all"; });
+bool held_by_garment(const Model& model) {
+  return std::any_of(model.contacts.begin(), model.contacts.end(), [&](const ContactModel& contact) {
+    if (contact.garment < 0) return false;
+    const auto& held = model.garments[contact.garment].spec.held;
+    return std::any_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "all"; });
+  });
 }
 
-Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]) {
+Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]) {
+  const input::Case& description = model.asked;
   if (body_.count == 0 || !description.body) return;
   reference_ = body.nodes;
   const auto fix = [&](const std::string& name, const std::vector<int>& nodes, int first) {
@@ -39,7 +42,7 @@ Supports::Supports(const input::Case& description, const mesh::BodyMesh& body, c
       fix(std::string(name) + " cut", cut->nodes, ends == "fixed" ? 0 : 2);
   hold(body.held);
   for (const auto& spec : description.support) hold(body, spec);
-  if (!held_by_garment(description)) hold_free_motions(body);
+  if (!held_by_garment(model)) hold_free_motions(body);
 }
 
 void Supports::hold_free_motions(const mesh::BodyMesh& body) {

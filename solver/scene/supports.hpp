@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cases/input/case.hpp"
 #include "mesh/body/body_mesh.hpp"
 #include "solver/algebra/layout.hpp"
 #include "solver/algebra/state.hpp"
+#include "solver/scene/model.hpp"
 #include "solver/scene/rigid_motions.hpp"
 
 namespace snug::solver {
@@ -21,7 +21,7 @@ const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string
 class Supports {
  public:
   Supports() = default;
-  Supports(const input::Case& description, const mesh::BodyMesh& body, const Layout& layout);
+  Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout);
 
   /// Prescribed entries of the state vector, each once.
   std::vector<int> entries() const;

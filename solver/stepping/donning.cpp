@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/scene/friction_choice.hpp"
 #include "solver/scene/result.hpp"
 
 namespace snug::solver {
@@ -16,10 +15,10 @@ std::string donning_name(double from) {
 }
 
 postproc::DonningRow donning_row(const std::string& name, double from, bool converged, const Scene& scene,
-                                 const State& state, const Meshes& meshes) {
+                                 const State& state, const Model& model, const Meshes& meshes) {
   postproc::RunResult result;
   result.body = body_result(meshes.body, false);
-  fill_result(scene, state, meshes.body, meshes.garment, result);
+  fill_result(scene, state, model, meshes, result);
   const auto number = [&](const char* name_of) {
     const auto it = result.numbers.find(name_of);
     return it == result.numbers.end() ? 0.0 : it->second;
@@ -36,31 +35,44 @@ Push push(double force, double contact) {
 
 }  // namespace
 
-Push push(const postproc::RunResult& frictionless, const mesh::GarmentMesh& garment) {
-  const auto& balance = frictionless.balance;
-  const auto it = balance.reactions.find(probe_edge(garment) + " edge");
-  return push(it == balance.reactions.end() ? 0.0 : it->second.z(), balance.contact_force);
+Push push(const postproc::RunResult& frictionless, const Model& model, const Meshes& meshes) {
+  Push largest;
+  for (std::size_t g = 0; g < meshes.garments.size(); ++g) {
+    if (!model.garments[g].spec.held.empty()) continue;
+    const auto& reactions = frictionless.balance.reactions;
+    const auto it = reactions.find(edge_name(model, meshes.garments[g], probe_edge(meshes.garments[g])));
+    const Push net = push(it == reactions.end() ? 0.0 : it->second.z(), frictionless.balance.contact_force);
+    if (std::abs(net.force) > std::abs(largest.force)) largest = net, largest.garment = static_cast<int>(g);
+  }
+  return largest;
 }
 
-Push push(const Scene& sticking, const State& state) {
-  double along = 0.0, sum = 0.0;
-  for (const auto& point : sticking.find<Contact>()->point_forces(state)) along += point.force.z(), sum += point.force.norm();
+Push push(const Scene& sticking, const State& state, const Model& model) {
+  Push largest;
   const Eigen::VectorXd load = sticking.load_forces(state);  // the garment's weight; on the rigid skin nothing else is loaded
-  const Field& garment = sticking.layout()["garment"];
-  for (int node = 0; node < garment.count; ++node) along += load[garment(node, 2)];
-  return push(-along, sum);
+  for (std::size_t g = 0; g < model.garments.size(); ++g) {
+    const ContactModel* contact = model.contact_of(static_cast<int>(g));
+    if (!contact || !model.garments[g].spec.held.empty()) continue;
+    double along = 0.0, sum = 0.0;
+    for (const auto& point : sticking.find<Contact>(contact->name)->point_forces(state)) along += point.force.z(), sum += point.force.norm();
+    const Field& garment = sticking.layout()[model.garments[g].spec.name];
+    for (int node = 0; node < garment.count; ++node) along += load[garment(node, 2)];
+    const Push net = push(-along, sum);
+    if (net.friction_needed > largest.friction_needed) largest = net, largest.garment = static_cast<int>(g);
+  }
+  return largest;
 }
 
-std::string no_equilibrium(const Push& push, const input::Case& description, const mesh::GarmentMesh& garment) {
-  std::string text =
-      fmt::format("no equilibrium: nothing holds the garment along the axis and a net force of {:.3g} N pushes it {}",
-                  std::abs(push.force), push.force > 0.0 ? "down" : "up");
+std::string no_equilibrium(const Push& push, const Model& model, const Meshes& meshes) {
+  const std::string& name = model.garments[push.garment].spec.name;
+  std::string text = fmt::format("no equilibrium: nothing holds the {} along the axis and a net force of {:.3g} N pushes it {}", name,
+                                 std::abs(push.force), push.force > 0.0 ? "down" : "up");
+  const ContactModel* contact = model.contact_of(push.garment);
   if (push.friction_needed > 10.0)
     text += "; no friction bears it, for it hardly touches";
-  else if (has_friction(description))
-    text += fmt::format("; friction of {:g} does not bear it, about {:.3g} would", friction_choice(description).coefficient,
-                        push.friction_needed);
-  return text + fmt::format("; hold an edge: garment.held = [{{ edge = \"{}\", held = \"axis\" }}]", probe_edge(garment));
+  else if (contact && contact->friction.coefficient > 0.0)
+    text += fmt::format("; friction of {:g} does not bear it, about {:.3g} would", contact->friction.coefficient, push.friction_needed);
+  return text + fmt::format("; hold an edge: garment.held = [{{ edge = \"{}\", held = \"axis\" }}]", probe_edge(meshes.garments[push.garment]));
 }
 
 }  // namespace snug::solver

@@ -13,19 +13,20 @@ std::string donning_name(double from);
 
 /// Pressures of a state on the rigid skin.
 postproc::DonningRow donning_row(const std::string& name, double from, bool converged, const Scene& scene,
-                                 const State& state, const Meshes& meshes);
+                                 const State& state, const Model& model, const Meshes& meshes);
 
 /// What moves a garment that no edge holds along the axis: the net force of contact pressures and weight (N, what would have to
 /// answer it is positive upwards; 0: none to speak of), and the coefficient of friction that would bear it,
 /// F / sqrt(C^2 - F^2) with the sum C of the contact forces (tan of the half angle on a cone).
 struct Push {
   double force = 0.0, friction_needed = 0.0;
+  int garment = 0;  ///< of several that which is pushed most
 };
-/// Of a frictionless state that is held at its probe edge.
-Push push(const postproc::RunResult& frictionless, const mesh::GarmentMesh& garment);
-/// Of a garment that sticks where it was placed.
-Push push(const Scene& sticking, const State& state);
+/// Of a frictionless state whose garments are held at their probe edges.
+Push push(const postproc::RunResult& frictionless, const Model& model, const Meshes& meshes);
+/// Of garments that stick where they were placed.
+Push push(const Scene& sticking, const State& state, const Model& model);
 /// Says so, and what would help.
-std::string no_equilibrium(const Push& push, const input::Case& description, const mesh::GarmentMesh& garment);
+std::string no_equilibrium(const Push& push, const Model& model, const Meshes& meshes);
 
 }  // namespace snug::solver

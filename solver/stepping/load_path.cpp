@@ -115,7 +115,11 @@ class Walk {
     return result();
   }
 
-  PathResult result() const { return {at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.message}; }
+  PathResult result() const {
+    PathResult path{at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.message};
+    scene_.look(path.state);
+    return path;
+  }
 
   Scene& scene_;
   const Homotopy& homotopy_;

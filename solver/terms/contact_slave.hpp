@@ -28,6 +28,13 @@ struct ContactSlave {
   double mean_edge = 0.0;              ///< m
 
   int vertices() const { return static_cast<int>(area.size()); }
+  /// Nodes of the mesh at the vertices.
+  std::vector<int> node_of_vertex() const {
+    std::vector<int> node(area.size());
+    for (std::size_t n = 0; n < vertex_of_node.size(); ++n)
+      if (vertex_of_node[n] >= 0) node[vertex_of_node[n]] = static_cast<int>(n);
+    return node;
+  }
   /// Rest area element at L over the triangle's mean one: 1 where it is flat.
   double area_ratio(int triangle, const Eigen::Vector3d& L) const;
 };

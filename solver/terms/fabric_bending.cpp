@@ -24,9 +24,9 @@ Eigen::Matrix3d to_frame(const Eigen::Matrix2d& tangents, const Eigen::Matrix2d&
 
 }  // namespace
 
-FabricBending::FabricBending(const Field& positions, const mesh::GarmentMesh& mesh,
+FabricBending::FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh,
                              const materials::BendingStiffness& stiffness)
-    : field_(positions), stiffness_(Eigen::Vector3d(stiffness.warp, stiffness.weft, stiffness.twist()).asDiagonal()) {
+    : garment_(std::move(garment)), field_(positions), stiffness_(Eigen::Vector3d(stiffness.warp, stiffness.weft, stiffness.twist()).asDiagonal()) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(mesh, t);
   add_edges();
 }

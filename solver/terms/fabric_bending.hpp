@@ -20,9 +20,9 @@ namespace snug::solver {
 class FabricBending : public Term {
  public:
   /// Takes quadratic triangles (mesh.order 2).
-  FabricBending(const Field& positions, const mesh::GarmentMesh& mesh, const materials::BendingStiffness& stiffness);
+  FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const materials::BendingStiffness& stiffness);
 
-  std::string name() const override { return "fabric bending"; }
+  std::string name() const override { return "bending of " + garment_; }
   const ElementEntries& entries(const State&) const override { return entries_; }
   bool bends() const override { return true; }
   double energy(const State& state) const override;
@@ -51,6 +51,7 @@ class FabricBending : public Term {
   TriangleNodes positions(const State& state, int triangle) const;
   EdgeElement edge_element(const State& state, const EdgeSides& edge, Tangent tangent) const;
 
+  std::string garment_;
   Field field_;
   Eigen::Matrix3d stiffness_;  ///< along warp and weft, of (k11, k22, 2 k12)
   std::vector<Triangle> triangles_;

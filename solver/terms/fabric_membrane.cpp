@@ -16,9 +16,9 @@ constexpr double noticeable_strain = 1e-3;
 
 }  // namespace
 
-FabricMembrane::FabricMembrane(const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+FabricMembrane::FabricMembrane(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
                                std::optional<double> prestretch)
-    : field_(positions), fabric_(fabric), order_(mesh.order), mean_edge_(mesh.mean_edge) {
+    : garment_(std::move(garment)), field_(positions), fabric_(fabric), order_(mesh.order), mean_edge_(mesh.mean_edge) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corner = mesh.triangles[t];
     Element element;

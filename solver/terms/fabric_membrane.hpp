@@ -18,10 +18,10 @@ namespace snug::solver {
 /// placed shape shrunk by p (verification cases whose rest shape is not flat).
 class FabricMembrane : public Term {
  public:
-  FabricMembrane(const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+  FabricMembrane(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
                  std::optional<double> prestretch = {});
 
-  std::string name() const override { return "fabric membrane"; }
+  std::string name() const override { return "fabric of " + garment_; }
   const ElementEntries& entries(const State&) const override { return entries_; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
@@ -62,6 +62,7 @@ class FabricMembrane : public Term {
   NodeVectors<6> positions(const State& state, const Element& element) const;
   static Derivatives<6> derivatives(const Element& element, const Point& point, double load, double& rest_weight);
 
+  std::string garment_;
   Field field_;
   materials::Fabric fabric_;
   int order_;                              ///< of the triangles

@@ -61,7 +61,7 @@ struct Ironing : TwoSolids {
   Eigen::Vector3d force() const {
     const Eigen::VectorXd residual = scene.full_residual(state);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int node : slave.mesh.surface("top")->nodes) sum += residual.segment<3>(layout["body"](node));
+    for (const int node : slave.mesh.surface("top")->nodes) sum += residual.segment<3>(entry(slave, node));
     return sum;
   }
   double stored_energy() const {

@@ -108,7 +108,7 @@ Squeezed squeeze(int fine, CellKind kind) {
   Tubes tubes({1.0, 0.3}, {1.0, 0.3}, fine, 4, 0.0, kind, true);
   tubes.state.values.tail(tubes.layout["contact"].count).setConstant(0.5 * pressure);  // closed at the start
   solver::Scene scene = tubes.scene();
-  auto load = std::make_unique<solver::PressureLoad>(tubes.layout["garment"], tubes.outer.mesh, "rim",
+  auto load = std::make_unique<solver::PressureLoad>(tubes.layout["slave"], tubes.outer.mesh, "rim",
                                                      tubes.outer.mesh.surface("top")->facets, pressure);
   load->hold_border(scene.numbering());
   scene.add(std::move(load));

@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include <map>
+#include <set>
 
 #include "solver/stepping/newton.hpp"
 #include "solver/terms/contact.hpp"
@@ -64,6 +65,10 @@ struct TwoSolids {
       solid->forces.assign(solid->mesh.nodes.size(), Eigen::Vector3d::Zero());
       for (std::size_t node = 0; node < solid->mesh.nodes.size(); ++node)
         state.values.segment<3>(entry(*solid, static_cast<int>(node))) = solid->mesh.nodes[node];
+      std::set<int> used;
+      for (const auto& cell : solid->mesh.cells) used.insert(cell.begin(), cell.begin() + node_count(solid->mesh.kind));
+      for (int node = 0; node < static_cast<int>(solid->mesh.nodes.size()); ++node)  // corners that were closed leave some
+        for (int c = 0; c < 3 && !used.contains(node); ++c) fixed.fix(entry(*solid, node, c));
     }
   }
 

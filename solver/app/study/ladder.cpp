@@ -32,14 +32,16 @@ input::StudyVariant scaled(const input::Case& description, double factor) {
       if (body->layers[n].form == "solid")
         level.set.push_back(fmt::format("body.layers.{}.cells={}", n, times(factor, body->layers[n].cells, 1)));
   }
-  if (description.garment && description.garment->cell_size > 0.0)
-    level.set.push_back(fmt::format("garment.cell_size=\"{:g} m\"", description.garment->cell_size / factor));
+  for (const input::GarmentSpec& garment : description.garments)
+    if (garment.cell_size > 0.0)
+      level.set.push_back(fmt::format("garment.{}cell_size=\"{:g} m\"", description.garments.size() == 1 ? "" : garment.name + ".",
+                                      garment.cell_size / factor));
   return level;
 }
 
 std::vector<input::StudyVariant> default_series(const input::Case& description) {
   std::vector<input::StudyVariant> series = {{"the case", {}}};
-  if (!description.contact) return series;
+  if (description.contacts.empty()) return series;
   if (description.solver.tier == "L4") series.push_back({"tier L1", {"solver.tier=L1"}});
   if (description.solver.tier != "L0") series.push_back({"straight elements", {"body.facets=flat", "garment.order=1"}});
   return series;

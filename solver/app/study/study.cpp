@@ -114,7 +114,7 @@ class Study : public Command {
       options.overrides.insert(options.overrides.end(), series.set.begin(), series.set.end());
       options.overrides.insert(options.overrides.end(), level.set.begin(), level.set.end());
       const PreparedCase prepared = prepare(directory_, options);
-      const solver::Plan plan = solver::plan(prepared.description, prepared.meshes);
+      const solver::Plan plan = solver::plan(prepared.model, prepared.meshes);
       long unknowns = 1;  // tier L0 has none
       for (const auto& [part, count] : plan.unknowns) unknowns += count;
       const double expected = earlier.empty() ? plan.seconds : expected_seconds(earlier, unknowns);
