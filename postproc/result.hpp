@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -90,7 +91,7 @@ struct Iteration {  ///< one row of history.csv
   double complementarity = 0.0;   ///< over the reference pressure
   double step = 0.0;              ///< accepted fraction of the Newton step
   int contact_nodes = 0, changed = 0;
-  double energy = 0.0;            ///< J
+  double energy = std::numeric_limits<double>::quiet_NaN();  ///< J, of converged states that have one
   double seconds = 0.0;           ///< since the start of the solve
   std::string event;              ///< "", "refactored", "proximal", ...
   int attempt = 1;                ///< at this increment: 2 after one that failed and was cut

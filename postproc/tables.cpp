@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <cmath>
 #include <span>
 
 #include "postproc/units.hpp"
@@ -63,8 +64,8 @@ void write_skin(std::ostream& out, const BodyResult& body) {
 void write_history(std::ostream& out, const RunResult& run) {
   out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,event\n";
   for (const Iteration& row : run.history)
-    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{:.9g},{}\n", row.increment, row.load,
-               row.iteration, row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, row.energy,
+    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{},{}\n", row.increment, row.load,
+               row.iteration, row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, std::isfinite(row.energy) ? fmt::format("{:.9g}", row.energy) : "",
                csv_cell(row.event));
 }
 

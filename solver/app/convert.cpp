@@ -95,7 +95,7 @@ mesh::BodyLoads loads_of(const input::Case& description, const mesh::BodyMesh& b
   full.load = 1.0;
   const Eigen::VectorXd gap = supports.gap(full);
   mesh::BodyLoads loads;
-  for (const int entry : supports.entries())
+  for (const int entry : supports.table().prescribed_entries())
     loads.held.push_back({entry / 3, entry % 3, gap.size() > 0 ? gap[entry] : 0.0});
   const input::LoadSpec load = description.load.value_or(input::LoadSpec{});
   loads.forces = solver::dead_forces(model, body);

@@ -1,7 +1,5 @@
 #include "solver/scene/constraints.hpp"
 
-#include <deal.II/lac/affine_constraints.h>
-
 #include <algorithm>
 #include <set>
 
@@ -17,19 +15,13 @@ namespace snug::solver {
 
 namespace {
 
-using Constraints = dealii::AffineConstraints<double>;
-
-void fix(Constraints& constraints, int entry) {
-  if (!constraints.is_constrained(entry)) constraints.add_line(entry);
-}
-
 /// Pressures of layers whose law has none are not part of the system, nor are the fields of hexahedra.
-void constrain_pressures(const Model& model, const mesh::BodyMesh& body, const Layout& layout, Constraints& constraints) {
+void constrain_pressures(const Model& model, const mesh::BodyMesh& body, const Layout& layout, ConstraintTable& table) {
   const std::vector<int> layer = pressure_unknowns(body).layer;
   for (std::size_t i = 0; i < layer.size(); ++i)
     if (!materials::is_split(model.tissues[layer[i]].law))
-      fix(constraints, layout["body pressure"](static_cast<int>(i)));
-  for (int i = 0; i < layout["body cells"].count; ++i) fix(constraints, layout["body cells"](i));
+      table.fix(layout["body pressure"](static_cast<int>(i)));
+  for (int i = 0; i < layout["body cells"].count; ++i) table.fix(layout["body cells"](i));
 }
 
 // Unit tangent of the skin at the foot point of x along the body's axis: the axis without its part along the normal. The axis
@@ -44,28 +36,28 @@ Eigen::Vector3d meridian(const MasterSurface& skin, const mesh::BodyMesh& body, 
 }
 
 // A node moves freely round and off the body but not along its meridian m: m . u = 0, solved for the largest component.
-void hold_along(const Eigen::Vector3d& m, int first, Constraints& constraints) {
+void hold_along(const Eigen::Vector3d& m, int first, ConstraintTable& table) {
   constexpr double round_off = 1e-12;  // of a unit tangent: a cylinder's has one component
   int largest = 2;
   m.cwiseAbs().maxCoeff(&largest);
-  if (constraints.is_constrained(first + largest)) return;
-  constraints.add_line(first + largest);
+  std::vector<Follow> others;
   for (int c = 0; c < 3; ++c)
-    if (c != largest && std::abs(m[c]) > round_off) constraints.add_entry(first + largest, first + c, -m[c] / m[largest]);
+    if (c != largest && std::abs(m[c]) > round_off) others.push_back({first + c, -m[c] / m[largest]});
+  table.bind(first + largest, std::move(others));
 }
 
 void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                const Field& position, Constraints& constraints) {
+                const Field& position, ConstraintTable& table) {
   for (const auto& edge : held)
     if (edge.held == "all")
       for (const int node : garment.edges.at(edge.edge))
-        for (int c = 0; c < 3; ++c) fix(constraints, position(node, c));
+        for (int c = 0; c < 3; ++c) table.fix(position(node, c));
   if (std::none_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "axis"; })) return;
   const MasterSurface skin({}, body, body.skin_facets);
   for (const auto& edge : held)
     if (edge.held == "axis")
       for (const int node : garment.edges.at(edge.edge))
-        hold_along(meridian(skin, body, garment.placed[node]), position(node), constraints);
+        hold_along(meridian(skin, body, garment.placed[node]), position(node), table);
 }
 
 bool turns_freely(const input::GarmentSpec& spec) {
@@ -73,25 +65,22 @@ bool turns_freely(const input::GarmentSpec& spec) {
 }
 
 void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
-                       const Field& position, Constraints& constraints) {
+                       const Field& position, ConstraintTable& table) {
   auto held = model.spec.held;
   if (held.empty() && !rubs) held.push_back({.edge = probe_edge(garment), .held = "axis"});
-  hold_edges(held, body, garment, position, constraints);
+  hold_edges(held, body, garment, position, table);
   if (turns_freely(model.spec) && !rubs) {
     const TurnPin pin = turn_pin(garment);
-    fix(constraints, position(pin.node, pin.component));
+    table.fix(position(pin.node, pin.component));
   }
   if (garment.order == 1)
     for (const auto& triangle : garment.triangles)
       for (int k = 3; k < 6; ++k)
-        for (int c = 0; c < 3; ++c) fix(constraints, position(garment.merged[triangle[k]], c));
+        for (int c = 0; c < 3; ++c) table.fix(position(garment.merged[triangle[k]], c));
   for (std::size_t node = 0; node < garment.merged.size(); ++node) {
     if (garment.merged[node] == static_cast<int>(node)) continue;
-    for (int c = 0; c < 3; ++c) {  // a seam: this side follows the other
-      const int entry = position(static_cast<int>(node), c);
-      constraints.add_line(entry);
-      constraints.add_entry(entry, position(garment.merged[node], c), 1.0);
-    }
+    for (int c = 0; c < 3; ++c)  // a seam: this side follows the other
+      table.tie(position(static_cast<int>(node), c), position(garment.merged[node], c));
   }
 }
 
@@ -161,27 +150,12 @@ Layout make_layout(const Model& model, const Meshes& meshes, Skin skin) {
 }
 
 Numbering make_numbering(const Model& model, const Meshes& meshes, const Layout& layout, const Supports& supports) {
-  Constraints constraints;
-  if (layout["body"].count > 0) {
-    constrain_pressures(model, meshes.body, layout, constraints);
-    for (const int entry : supports.entries()) fix(constraints, entry);
-  }
+  ConstraintTable table = supports.table();
+  if (layout["body"].count > 0) constrain_pressures(model, meshes.body, layout, table);
   for (std::size_t g = 0; g < meshes.garments.size(); ++g)
     constrain_garment(model.garments[g], rubs(model, static_cast<int>(g)), meshes.body, meshes.garments[g],
-                      layout[meshes.garments[g].name], constraints);
-  constraints.close();
-  std::vector<int> master(layout.size());
-  Bound bound;
-  for (int i = 0; i < layout.size(); ++i) {
-    master[i] = i;
-    if (!constraints.is_constrained(i)) continue;
-    const auto& line = *constraints.get_constraint_entries(i);
-    const bool sewn = line.size() == 1 && line.front().second == 1.0 && static_cast<int>(line.front().first) / 3 != i / 3;
-    master[i] = sewn ? static_cast<int>(line.front().first) : -1;
-    if (!sewn)
-      for (const auto& [entry, weight] : line) bound[i].push_back({static_cast<int>(entry), weight});
-  }
-  return Numbering(std::move(master), entry_owners(model, meshes, layout, ranks()), ranks(), std::move(bound));
+                      layout[meshes.garments[g].name], table);
+  return table.numbering(entry_owners(model, meshes, layout, ranks()), ranks());
 }
 
 }  // namespace snug::solver

@@ -46,8 +46,7 @@ TurnPin turn_pin(const mesh::GarmentMesh& garment);
 /// What the supports prescribe has no unknowns; neither have pressures of layers whose law has none; sewn garment nodes
 /// share their unknowns; held edges keep their place along the skin's meridian, the tangent in the direction of the axis at
 /// the placed foot point, and move freely off the skin and round it (without friction, a garment without any is held at its
-/// probe edge, and one that can turn by its pin; friction needs neither). Built as
-/// deal.II AffineConstraints.
+/// probe edge, and one that can turn by its pin; friction needs neither).
 Numbering make_numbering(const Model& model, const Meshes& meshes, const Layout& layout, const Supports& supports);
 
 }  // namespace snug::solver

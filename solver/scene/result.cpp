@@ -180,11 +180,14 @@ void fill_reactions(const Scene& scene, const State& state, const std::vector<me
     balance.force_error += sum;
     if (sum.norm() > 0.0) balance.reactions.try_emplace(name, Eigen::Vector3d::Zero()).first->second += sum;
   };
-  for (const auto& [name, held] : scene.supports().held()) {
+  const ConstraintTable& table = scene.supports().table();
+  for (std::size_t h = 0; h < table.holders().size(); ++h) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const auto& [node, component] : held)
-      answer(layout["body"](node), residual[layout["body"](node, component)] * Eigen::Vector3d::Unit(component), sum);
-    note(name, sum);
+    for (const auto& [entry, share] : table.held_by(static_cast<int>(h))) {
+      const int component = (entry - layout["body"].first) % 3;
+      answer(entry - component, share * residual[entry] * Eigen::Vector3d::Unit(component), sum);
+    }
+    note(table.holders()[h].name, sum);
   }
   for (const mesh::GarmentMesh& garment : garments)
     for (const auto& [name, nodes] : garment.edges) {

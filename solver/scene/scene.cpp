@@ -257,12 +257,18 @@ double Scene::round_off(const State& state) const {
 
 double Scene::farthest(const State& state) const { return state.values.head(layout_.positions()).cwiseAbs().maxCoeff(); }
 
+double Scene::energy(const State& state) const {
+  double sum = 0.0;
+  for (const auto& term : terms_) sum += term->stored_energy(state);
+  return sum;
+}
+
 Measure Scene::measure(const State& state) const {
   Measure measure;
   for (const auto& term : terms_) term->measure(state, measure);
   if (supports_.move()) {  // the supports' forces are the load
     const Eigen::VectorXd residual = full_residual(state);
-    for (const int entry : supports_.entries()) measure.contact_force += std::abs(residual[entry]);
+    for (const int entry : supports_.table().prescribed_entries()) measure.contact_force += std::abs(residual[entry]);
   }
   return measure;
 }

@@ -108,6 +108,8 @@ class Scene {
   /// Largest coordinate of the state, m.
   double farthest(const State& state) const;
   Measure measure(const State& state) const;
+  /// J: what body and garments store, less the work of the loads; NaN where a load has no potential.
+  double energy(const State& state) const;
   double step_bound(const State& state, const Eigen::VectorXd& step) const;
   /// Adds weights (N/m, one a state entry) to the proximal term beside those of the terms.
   void damp(const Eigen::VectorXd& weights) { proximal_weights_ += weights; }

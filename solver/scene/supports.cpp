@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace snug::solver {
@@ -26,67 +24,62 @@ bool held_by_garment(const Model& model) {
   });
 }
 
-Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]) {
+Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]), table_(layout.size()) {
   const input::Case& description = model.asked;
   if (body_.count == 0 || !description.body) return;
-  reference_ = body.nodes;
+  hold_limb(*description.body, body);
+  hold(body.held, description.body->where, body);
+  for (const auto& spec : description.support) hold(spec, body);
+  if (!held_by_garment(model)) hold_free_motions(body);
+}
+
+void Supports::prescribe(int node, int component, int holder, const Motion& motion, const mesh::BodyMesh& body) {
+  const int number = body.node_numbers.empty() ? node + 1 : body.node_numbers[node];
+  table_.prescribe(body_(node, component), holder, component, motion, body.nodes[node], number);
+}
+
+void Supports::hold_limb(const input::BodySpec& spec, const mesh::BodyMesh& body) {
   const auto fix = [&](const std::string& name, const std::vector<int>& nodes, int first) {
-    held_.emplace_back(name, std::vector<Held>());
+    const int holder = table_.add({name, spec.where});
     for (const int node : nodes)
-      for (int c = first; c < 3; ++c) prescribe(node, c);
+      for (int c = first; c < 3; ++c) prescribe(node, c, holder, {}, body);
   };
   fix("bone", body.bone_nodes, 0);
-  const std::string& ends = description.body->ends;
   for (const char* name : {"lower", "upper"})
-    if (const auto* cut = body.surface(name); cut && description.body->kind != "imported" && ends != "free")
-      fix(std::string(name) + " cut", cut->nodes, ends == "fixed" ? 0 : 2);
-  hold(body.held);
-  for (const auto& spec : description.support) hold(body, spec);
-  if (!held_by_garment(model)) hold_free_motions(body);
+    if (const auto* cut = body.surface(name); cut && spec.kind != "imported" && spec.ends != "free")
+      fix(std::string(name) + " cut", cut->nodes, spec.ends == "fixed" ? 0 : 2);
+}
+
+void Supports::hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body) {
+  if (held.empty()) return;
+  const int holder = table_.add({"supports of the file", where});
+  for (const mesh::HeldComponent& one : held)
+    prescribe(one.node, one.component, holder, {.displacement = one.displacement * Eigen::Vector3d::Unit(one.component)}, body);
+}
+
+void Supports::hold(const input::SupportSpec& spec, const mesh::BodyMesh& body) {
+  const mesh::Surface& surface = named_surface(body, spec.on, spec.where);
+  const std::array<std::optional<double>, 3> given = {spec.x, spec.y, spec.z};
+  const int holder = table_.add({spec.on, spec.where});
+  Motion motion{.turn = spec.turn};
+  for (int c = 0; c < 3; ++c) motion.displacement[c] = given[c].value_or(0.0);
+  for (const int node : surface.nodes) motion.middle += body.nodes[node].head<2>() / static_cast<double>(surface.nodes.size());
+  for (const int node : surface.nodes)
+    for (int c = 0; c < 3; ++c)
+      if (given[c]) prescribe(node, c, holder, motion, body);
 }
 
 void Supports::hold_free_motions(const mesh::BodyMesh& body) {
   std::set<NodeComponent> held;
-  for (const int entry : prescribed_) held.emplace((entry - body_.first) / 3, (entry - body_.first) % 3);
+  for (const int entry : table_.prescribed_entries()) held.emplace((entry - body_.first) / 3, (entry - body_.first) % 3);
   free_ = solver::free_parts(body, held);
   for (const FreePart& part : free_) {
-    held_.emplace_back("free motions of " + part.name, std::vector<Held>());
+    const int holder = table_.add({"free motions of " + part.name});
     for (const auto& [node, component] : determinate_supports(part, body)) {
-      prescribe(node, component);
+      prescribe(node, component, holder, {}, body);
       free_entries_.push_back(body_(node, component));
     }
   }
-}
-
-void Supports::prescribe(int node, int component) {
-  if (prescribed_.insert(body_(node, component)).second) held_.back().second.push_back({node, component});
-}
-
-void Supports::hold(const std::vector<mesh::HeldComponent>& held) {
-  if (!held.empty()) held_.emplace_back("supports of the file", std::vector<Held>());
-  for (const mesh::HeldComponent& one : held) {
-    prescribe(one.node, one.component);
-    if (one.displacement == 0.0) continue;
-    Moving moving{{one.node}, one.displacement * Eigen::Vector3d::Unit(one.component), 0.0, Eigen::Vector2d::Zero(), {}};
-    moving.held[one.component] = true;
-    moving_.push_back(std::move(moving));
-  }
-}
-
-void Supports::hold(const mesh::BodyMesh& body, const input::SupportSpec& spec) {
-  const mesh::Surface& surface = named_surface(body, spec.on, spec.where);
-  const std::array<std::optional<double>, 3> given = {spec.x, spec.y, spec.z};
-  held_.emplace_back(spec.on, std::vector<Held>());
-  Moving moving{surface.nodes, Eigen::Vector3d::Zero(), spec.turn, Eigen::Vector2d::Zero(), {}};
-  for (int c = 0; c < 3; ++c) {
-    if (!given[c]) continue;
-    moving.held[c] = true, moving.displacement[c] = *given[c];
-    for (const int node : surface.nodes) prescribe(node, c);
-  }
-  if (moving.displacement.isZero(0.0) && spec.turn == 0.0) return;
-  for (const int node : surface.nodes)
-    moving.middle += body.nodes[node].head<2>() / static_cast<double>(surface.nodes.size());
-  moving_.push_back(std::move(moving));
 }
 
 void check_balance(const Supports& supports, const mesh::BodyMesh& body, const std::vector<Eigen::Vector3d>& forces,
@@ -105,26 +98,6 @@ void check_balance(const Supports& supports, const mesh::BodyMesh& body, const s
                                                fmt::join(loads, " and ")),
                             "hold it with a [[support]] (of a limb: ends = \"sliding\" or \"fixed\", or a rigid bone), or add the load that balances");
   }
-}
-
-std::vector<int> Supports::entries() const {
-  return {prescribed_.begin(), prescribed_.end()};
-}
-
-Eigen::VectorXd Supports::gap(const State& state) const {
-  if (moving_.empty()) return {};
-  Eigen::VectorXd gap = Eigen::VectorXd::Zero(state.values.size());
-  for (const Moving& moving : moving_) {
-    const Eigen::Rotation2D<double> turn(state.load * moving.turn);
-    for (const int node : moving.nodes) {
-      Eigen::Vector3d target = reference_[node] + state.load * moving.displacement;
-      if (moving.turn != 0.0)
-        target.head<2>() += turn * (reference_[node].head<2>() - moving.middle) - (reference_[node].head<2>() - moving.middle);
-      for (int c = 0; c < 3; ++c)
-        if (moving.held[c]) gap[body_(node, c)] = target[c] - state.values[body_(node, c)];
-    }
-  }
-  return gap;
 }
 
 }  // namespace snug::solver

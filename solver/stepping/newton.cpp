@@ -191,6 +191,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     row.iteration = iteration;
     row.residual = now.residual, row.complementarity = now.complementarity;
     row.contact_nodes = now.measure.active, row.changed = now.measure.changed;
+    row.energy = now.done ? scene.energy(state) : std::numeric_limits<double>::quiet_NaN();
     sink(row);
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;

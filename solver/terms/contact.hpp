@@ -66,6 +66,7 @@ class Contact : public Term {
   void renew(State& state) const override;
   void restore(State& state) const override;
   bool renews_near_answer() const override { return true; }
+  double stored_energy(const State&) const override { return 0.0; }
 
   int vertices() const { return interface_.slave.vertices(); }
   /// Multiplier of a node of the slave's mesh, -1 where the node is no vertex.

@@ -55,6 +55,7 @@ class Friction : public Term {
   const ElementEntries& entries(const State& state) const override { return contact_.entries(state); }
   /// Of the frozen problem.
   double energy(const State& state) const override;
+  double stored_energy(const State&) const override { return 0.0; }
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   void update(State& state) const override;
   void renew(State& state) const override;

@@ -49,6 +49,8 @@ class Term {
   virtual const ElementEntries& entries(const State& state) const = 0;
   /// Energy (J) at the state where one exists, NaN where none does.
   virtual double energy(const State&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// What of it is stored: nothing where the term dissipates or only holds.
+  virtual double stored_energy(const State& state) const { return energy(state); }
   /// Residual (gradient of the energy) and, if wanted, its derivative, element by element.
   /// Returns false when the state is not admissible (inverted cell).
   virtual bool assemble(const State& state, Tangent tangent, Sink& sink) const = 0;

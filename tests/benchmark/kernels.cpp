@@ -20,8 +20,8 @@ struct Bench {
     tube.around = 24, tube.through = 3;
     input::Case c = tests::describe_tube(tube);
     solver::Meshes meshes = tests::make_meshes(c);
-    solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, solver::Skin::deformable);
-    solver::State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+    solver::Scene scene = tests::make_scene(c, meshes, solver::Skin::deformable);
+    solver::State state = solver::placed_state(scene.layout(), meshes);
     state.load = 0.5;
     return {std::move(c), std::move(meshes), std::move(scene), std::move(state)};
   }

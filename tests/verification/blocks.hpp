@@ -11,6 +11,7 @@
 #include "cases/input/case.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/load_path.hpp"
+#include "tests/scenes.hpp"
 
 namespace snug::tests {
 
@@ -134,16 +135,16 @@ struct BlockAnswer {
 
 inline BlockAnswer solve(const BlockCase& block, double first_step = 0.25) {
   const mesh::GarmentMesh none;
-  solver::Scene scene = solver::make_scene(block.c, block.mesh, none, solver::Skin::deformable);
+  solver::Scene scene = tests::make_scene(block.c, block.mesh, none, solver::Skin::deformable);
   solver::PathSettings settings;
   settings.first_step = first_step;
   BlockAnswer answer;
   answer.layout = scene.layout();
-  answer.path = solver::follow_path(scene, solver::placed_state(scene.layout(), block.mesh, none), solver::tightening(),
+  answer.path = solver::follow_path(scene, tests::placed_state(scene.layout(), block.mesh, none), solver::tightening(),
                                     settings, [&](const postproc::Iteration& row) { answer.history.push_back(row); });
   EXPECT_TRUE(answer.path.complete) << answer.path.message << " at " << answer.path.reached;
   answer.result.body = solver::body_result(block.mesh, true);
-  solver::fill_result(scene, answer.path.state, block.mesh, none, answer.result);
+  tests::fill_result(scene, answer.path.state, block.mesh, none, answer.result);
   return answer;
 }
 

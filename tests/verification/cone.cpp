@@ -71,13 +71,13 @@ Eigen::Vector3d on_cone(double angle, double slant) {  // slant from the large e
 
 input::Case describe(const std::string& fabric) {
   input::Case c;
-  c.garment.emplace();
-  c.garment->pattern.length = rest_length;
-  c.garment->pattern.flat_circumference = 2.0 * std::numbers::pi * rest_radius;
-  c.garment->fabric.table = fabric;
-  c.garment->held = {{.edge = "upper", .held = "all"}};
-  c.contact.emplace();
-  c.contact->friction = 0.0;
+  c.garments.emplace_back();
+  c.garments.front().pattern.length = rest_length;
+  c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * rest_radius;
+  c.garments.front().fabric.table = fabric;
+  c.garments.front().held = {{.edge = "upper", .held = "all"}};
+  c.contacts.emplace_back();
+  c.contacts.front().friction = 0.0;
   return c;
 }
 
@@ -85,7 +85,7 @@ mesh::GarmentMesh sleeve(const input::Case& c, double cell) {
   mesh::Limb limb;
   limb.skin = std::make_unique<CircularOutline>();
   limb.lower = -0.01, limb.upper = rest_length + 0.01;
-  mesh::GarmentMesh mesh = mesh::make_garment_mesh(*c.garment, limb, cell, 0.0);
+  mesh::GarmentMesh mesh = mesh::make_garment_mesh(c.garments.front(), limb, cell, 0.0);
   for (std::size_t node = 0; node < mesh.placed.size(); ++node) {
     const Eigen::Vector3d& x = mesh.placed[node];
     mesh.placed[node] = on_cone(std::atan2(x.y(), x.x()), rest_length - mesh.pattern[node].y());
@@ -100,10 +100,10 @@ ConeAnswer solve(const input::Case& c, double cell) {
                 static_cast<int>(std::lround(2.0 * half / skin_cell)), half, skin_cell, 0.0,
                 [&](double angle, double z) { return on_cone(angle, 0.5 * rest_length - z); });
   const mesh::GarmentMesh garment = sleeve(c, cell);
-  solver::Scene scene = solver::make_scene(c, body, garment, solver::Skin::rigid);
+  solver::Scene scene = tests::make_scene(c, body, garment, solver::Skin::rigid);
   solver::PathSettings settings;
   settings.newton.penetration = 1e-6 * garment.mean_edge;
-  const auto path = solver::follow_path(scene, solver::placed_state(scene.layout(), body, garment), solver::tightening(),
+  const auto path = solver::follow_path(scene, tests::placed_state(scene.layout(), body, garment), solver::tightening(),
                                         settings, [](const postproc::Iteration&) {});
   EXPECT_TRUE(path.complete) << path.message << " at " << path.reached;
   const Eigen::VectorXd residual = scene.full_residual(path.state);
@@ -141,7 +141,7 @@ TEST(FrictionlessCone, TheSleeveHangsAsTheMembraneEquationSays) {
                          Row{"St. Venant & Kirchhoff, nu = 0.2",
                              "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '400 N/m'\npoisson = 0.2"}}) {
     const input::Case c = describe(row.fabric);
-    const ConeAnswer exact = membrane_equation(law_of(materials::find_fabric(c.garment->fabric)));
+    const ConeAnswer exact = membrane_equation(law_of(materials::find_fabric(c.garments.front().fabric)));
     for (const double cell : {0.012, 0.008}) {
       const ConeAnswer a = solve(c, cell);
       fmt::print("{} cell {} mm: tension {:.3e}, radius {:.3e}\n", row.name, 1e3 * cell, a.tension / exact.tension - 1.0,

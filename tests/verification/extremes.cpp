@@ -92,8 +92,8 @@ TubeCase tapering(double poisson_ratio, const std::string& elements) {
 
 Answer tapering_run(double poisson_ratio, const std::string& elements) {
   input::Case c = describe_tube(tapering(poisson_ratio, elements));
-  c.garment->held = {{.edge = "upper", .held = "axis"}};
-  Answer answer{solver::solve(c, make_meshes(c))};
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  Answer answer{tests::solve(c, make_meshes(c))};
   EXPECT_EQ(answer.result.status, "converged") << elements << ", nu = " << poisson_ratio << ": " << answer.result.message;
   return answer;
 }

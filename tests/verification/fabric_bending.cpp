@@ -78,7 +78,7 @@ TEST(FabricBending, ASewnLoopIsRound) {
   sheet.hold({1, 2}, [=](const Plane& x) { return (x - Plane(0.5 * L, 0.0)).norm() < 1e-9; });
   sheet.hold({2}, [=](const Plane& x) { return (x - Plane(L * 9 / 36, 0.0)).norm() < 1e-9; });
   sheet.solve();
-  const double energy = solver::FabricBending(sheet.layout["garment"], sheet.mesh, sheet.fabric.bending).energy(sheet.answer.state);
+  const double energy = solver::FabricBending("garment", sheet.layout["garment"], sheet.mesh, sheet.fabric.bending).energy(sheet.answer.state);
   book("sewn loop", "bending energy L/(B width)", energy * L / (B * width), 19.7392088, 2e-3, "reference book 2.3: welded seam, 2 pi^2");
   const double across = (sheet.at(sheet.node_at({0.0, 0.0})) - sheet.at(sheet.node_at({0.5 * L, 0.0}))).norm();
   const double deep = (sheet.at(sheet.node_at({0.25 * L, 0.0})) - sheet.at(sheet.node_at({0.75 * L, 0.0}))).norm();

@@ -31,13 +31,13 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(layout, "body"), body, std::vector<materials::SolidLaw>{tissue(shear, 0.45)}));
   input::MaterialReference cloth;
   cloth.table = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
-  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], garment, materials::find_fabric(cloth), 1.05));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], garment, materials::find_fabric(cloth), 1.05));
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], garment), solver::MasterSurface(layout["body"], body, body.skin_facets)}, 1e6,
                                               solver::GapBasis::hat));
   solver::NodalForces weight(garment.pattern.size(), Eigen::Vector3d::Zero());
   solver::add_weight(garment, 1.0, {0.0, 0.0, -pressure}, weight);  // Pa of the pattern
   scene.add(std::make_unique<solver::DeadLoad>("weight of the garment", layout["garment"], weight));
-  State state = solver::placed_state(layout, body, garment);
+  State state = tests::placed_state(layout, body, garment);
   state.load = 1.0;
   solver::NewtonSettings settings;
   settings.residual = 1e-12;

@@ -50,11 +50,11 @@ struct SoftDrum {
   }
 
   solver::Scene scene(double friction) const {
-    const solver::Layout layout = solver::make_layout(body, band, true, true);
+    const solver::Layout layout = tests::make_layout(body, band, true, true);
     solver::Scene scene(layout, numbering(layout));
     materials::SolidLaw tissue = materials::find_tissue(body.layers.front().material).law;
     scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(layout, "body"), body, std::vector<materials::SolidLaw>(body.layers.size(), tissue)));
-    scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], band, tests::straight_fabric(strip.k, 0.3 * strip.k)));
+    scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], band, tests::straight_fabric(strip.k, 0.3 * strip.k)));
     scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], band), solver::MasterSurface(layout["body"], body, body.skin_facets)},
                                                 strip.k / (band.mean_edge * band.mean_edge), solver::GapBasis::hat));
     if (friction > 0.0)
@@ -81,7 +81,7 @@ TEST(SoftFriction, CapstanHoldsOnATubeThatGivesWay) {
     s.rest_length = s.radius * s.span / 1.1;
     const SoftDrum drum(s);
     solver::Scene smooth = drum.scene(0.0), rough = drum.scene(mu);
-    solver::State start = solver::placed_state(smooth.layout(), drum.body, drum.band);
+    solver::State start = tests::placed_state(smooth.layout(), drum.body, drum.band);
     start.load = 1.0;
     start.values.tail(smooth.layout()["contact"].count).setConstant(s.k * 0.1 * 1.1 / s.radius);
     solver::PathSettings settings;
@@ -129,11 +129,11 @@ input::Case tapered(double friction) {
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double s : {0.0, 0.5, 1.0}) out << s * tube.length << ", " << 0.32 + 0.04 * s << ", 0.12\n";
   out.close();
-  c.garment->pattern.length = 0.08;
-  c.garment->position = 0.02;
-  c.garment->held = {{.edge = "upper", .held = "axis"}};
-  c.contact->friction = friction;
-  c.contact->spread = true;
+  c.garments.front().pattern.length = 0.08;
+  c.garments.front().position = 0.02;
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.contacts.front().friction = friction;
+  c.contacts.front().spread = true;
   return c;
 }
 
@@ -144,7 +144,7 @@ struct Timed {
 
 Timed solved(const input::Case& c) {
   const std::clock_t start = std::clock();
-  Timed timed{solver::solve(c, tests::make_meshes(c)), 0.0};
+  Timed timed{tests::solve(c, tests::make_meshes(c)), 0.0};
   timed.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return timed;
 }
@@ -202,13 +202,13 @@ TEST(SoftFriction, ObeysItsBoundBalancesAndVanishesWithItsCoefficient) {
 /// What no edge holds is held by friction on the soft limb too; the frictionless sleeve slides off.
 TEST(SoftFriction, HoldsASleeveThatNoEdgeHolds) {
   input::Case c = tapered(0.25);
-  c.garment->held.clear();
+  c.garments.front().held.clear();
   const auto held = solved(c).result;
   EXPECT_EQ(held.status, "converged") << held.message;
   EXPECT_LE(held.balance.force_error.norm(), 1e-8 * held.balance.contact_force);
   EXPECT_LE(held.balance.skin_force.norm(), 1e-8 * held.balance.contact_force);  // nothing else holds the garment
   EXPECT_GT(held.balance.friction_force, 1e-2 * held.balance.contact_force);
-  c.contact->friction = 0.0;
+  c.contacts.front().friction = 0.0;
   EXPECT_EQ(solved(c).result.status, "failed");
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "solver/scene/result.hpp"
-#include "solver/scene/friction_choice.hpp"
 #include "solver/stepping/load_path.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/tube.hpp"
@@ -29,9 +28,9 @@ input::Case sleeve(double lower_radius, double upper_radius, double limb, double
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double s : {0.0, 0.5, 1.0})
     out << s * limb << ", " << 2.0 * pi * (lower_radius + s * (upper_radius - lower_radius)) << ", 0.12\n";
-  c.garment->held.clear();
-  c.garment->position = position;
-  c.garment->pattern.length = length;
+  c.garments.front().held.clear();
+  c.garments.front().position = position;
+  c.garments.front().pattern.length = length;
   return c;
 }
 
@@ -44,22 +43,23 @@ TEST_P(PullOff, ASleeveIsPulledOffWithFrictionTimesItsNormalForce) {
   const double stretch = 1.25, k = 50.0 / (stretch * 0.5 * (stretch * stretch - 1.0));
   input::Case c = sleeve(0.055, 0.055, 0.16, 0.10, 0.02, k, 0.055 / stretch);
   c.body->elements = GetParam();
-  c.garment->held = {{.edge = "upper", .held = "axis"}};
-  c.contact->friction = 0.3;
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.contacts.front().friction = 0.3;
   const solver::Meshes meshes = tests::make_meshes(c);
-  input::Case without = solver::without_friction(c);
-  without.garment->held.push_back({.edge = "lower", .held = "axis"});
-  solver::Scene smooth = solver::make_scene(without, meshes.body, meshes.garment, solver::Skin::rigid);
-  solver::Scene rough = solver::make_scene(c, meshes.body, meshes.garment, solver::Skin::rigid);
+  input::Case without = c;
+  without.contacts.front().friction = 0.0;
+  without.garments.front().held.push_back({.edge = "lower", .held = "axis"});
+  solver::Scene smooth = tests::make_scene(without, meshes, solver::Skin::rigid);
+  solver::Scene rough = tests::make_scene(c, meshes, solver::Skin::rigid);
   solver::PathSettings settings;
-  settings.newton.penetration = 1e-6 * meshes.garment.mean_edge;
+  settings.newton.penetration = 1e-6 * meshes.garments.front().mean_edge;
   int iterations = 0;
   const auto count = [&](const postproc::Iteration&) { ++iterations; };
-  const auto tight = solver::follow_path(smooth, solver::placed_state(smooth.layout(), meshes.body, meshes.garment),
+  const auto tight = solver::follow_path(smooth, solver::placed_state(smooth.layout(), meshes),
                                          solver::tightening(), settings, count);
   ASSERT_TRUE(tight.complete) << tight.message << " at " << tight.reached;
   iterations = 0;
-  const auto& edge = meshes.garment.edges.at("upper");
+  const auto& edge = meshes.garments.front().edges.at("upper");
   const auto pull = [&](solver::State& state, double t) {
     for (const int node : edge)
       state.values[rough.layout()["garment"](node, 2)] = tight.state.values[rough.layout()["garment"](node, 2)] + 0.02 * t;
@@ -69,7 +69,7 @@ TEST_P(PullOff, ASleeveIsPulledOffWithFrictionTimesItsNormalForce) {
   EXPECT_TRUE(path.complete) << path.message;
   postproc::RunResult result;
   result.body = solver::body_result(meshes.body, false);
-  solver::fill_result(rough, path.state, meshes.body, meshes.garment, result);
+  tests::fill_result(rough, path.state, meshes, result);
   const double force = std::abs(result.balance.reactions.at("upper edge").z());
   fmt::print("pull-off: {} increments, {} iterations, normal force {:.5f} N, friction {:.5f} N, force error {:.1e} N, moment error {:.1e} N m\n",
              path.increments, iterations, result.balance.contact_force, result.balance.friction_force,
@@ -93,8 +93,8 @@ class Cone : public testing::TestWithParam<double> {};
 postproc::RunResult on_cone(double angle, double mu) {
   const double slope = std::tan(angle * pi / 180.0), middle = 0.055, half = 0.03;
   input::Case c = sleeve(middle - half * slope, middle + half * slope, 2.0 * half, 0.030, 0.015, 500.0, 0.042);
-  c.contact->friction = mu;
-  return solver::solve(c, tests::make_meshes(c));
+  c.contacts.front().friction = mu;
+  return tests::solve(c, tests::make_meshes(c));
 }
 
 TEST_P(Cone, HoldsTheSleeveIfFrictionExceedsTheTangentOfItsHalfAngle) {

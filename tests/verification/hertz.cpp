@@ -41,7 +41,7 @@ struct Indentation {
     scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(press.layout, "body"), press.body,
                                                std::vector<materials::SolidLaw>{tissue(shear, poisson)}));
     scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{press.layout["contact"], solver::garment_slave(press.layout["garment"], press.garment), solver::MasterSurface(press.layout["body"], press.body, press.body.skin_facets)}, shear / half_width, solver::GapBasis::hat));
-    state = solver::placed_state(press.layout, press.body, press.garment);
+    state = tests::placed_state(press.layout, press.body, press.garment);
     state.load = 1.0;
   }
 

@@ -61,7 +61,7 @@ TEST(LimitPoints, TrussSnapsThroughAtItsLimitLoad) {
   const char* source = "reference book 4 A, closed form";
   const Truss truss(full);
   const mesh::GarmentMesh none;
-  solver::Scene scene = solver::make_scene(truss.c, truss.mesh, none, solver::Skin::deformable);
+  solver::Scene scene = tests::make_scene(truss.c, truss.mesh, none, solver::Skin::deformable);
   double lowest = 1.0, worst = 0.0;
   solver::PathSettings settings;
   settings.accepted = [&](const solver::Scene&, const solver::State& state, double) {
@@ -70,7 +70,7 @@ TEST(LimitPoints, TrussSnapsThroughAtItsLimitLoad) {
   };
   int iterations = 0;
   const auto count = [&](const postproc::Iteration&) { ++iterations; };
-  const auto loaded = solver::follow_load(scene, solver::placed_state(scene.layout(), truss.mesh, none), true, settings, count, count);
+  const auto loaded = solver::follow_load(scene, tests::placed_state(scene.layout(), truss.mesh, none), true, settings, count, count);
   fmt::print("truss: {} increments, {} iterations\n", loaded.path.increments, iterations);
   ASSERT_TRUE(loaded.path.complete) << loaded.path.message;
   ASSERT_TRUE(loaded.limit_load.has_value());

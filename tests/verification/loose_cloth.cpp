@@ -41,9 +41,9 @@ input::Case describe(const Hanging& scene) {
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double s : {0.0, 0.5, 1.0})
     out << s * scene.length << ", " << 2.0 * std::numbers::pi * scene.radius(s * scene.length) << ", 0.12\n";
-  c.garment->held = {{.edge = "upper", .held = "axis"}};
-  c.garment->position = scene.position, c.garment->pattern.length = scene.sleeve_length;
-  c.contact->friction = scene.friction;
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().position = scene.position, c.garments.front().pattern.length = scene.sleeve_length;
+  c.contacts.front().friction = scene.friction;
   return c;
 }
 
@@ -55,14 +55,14 @@ struct Hung {
 Hung hang(const Hanging& scene) {
   const input::Case c = describe(scene);
   solver::Meshes meshes = make_meshes(c);
-  postproc::RunResult result = solver::solve(c, meshes);
+  postproc::RunResult result = tests::solve(c, meshes);
   EXPECT_EQ(result.status, "converged") << result.message;
   return {std::move(result), std::move(meshes)};
 }
 
 /// Mean distance of the lower hem from its own middle, m: nothing holds a loose sleeve beside the axis.
 double hem_radius(const Hung& hung) {
-  const auto& hem = hung.meshes.garment.edges.at("lower");
+  const auto& hem = hung.meshes.garments.front().edges.at("lower");
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const int node : hem) middle += hung.result.garment.current[node] / static_cast<double>(hem.size());
   double sum = 0.0;

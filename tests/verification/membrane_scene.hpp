@@ -14,6 +14,7 @@
 #include "solver/terms/fabric_bending.hpp"
 #include "solver/terms/garment_shape.hpp"
 #include "solver/terms/pressure_load.hpp"
+#include "tests/scenes.hpp"
 
 namespace snug::tests {
 
@@ -118,7 +119,7 @@ struct Sheet {
   int iterations = 0;
 
   Sheet(mesh::GarmentMesh m, materials::Fabric f)
-      : mesh(std::move(m)), fabric(std::move(f)), layout(solver::make_layout({}, mesh, false, false)), master(layout.size()),
+      : mesh(std::move(m)), fabric(std::move(f)), layout(tests::make_layout({}, mesh, false, false)), master(layout.size()),
         forces(mesh.pattern.size(), Eigen::Vector3d::Zero()) {
     for (int i = 0; i < layout.size(); ++i) master[i] = i;
   }
@@ -140,10 +141,10 @@ struct Sheet {
   }
   solver::Scene scene() const {
     solver::Scene scene(layout, solver::Numbering(master));
-    auto membrane = std::make_unique<solver::FabricMembrane>(layout["garment"], mesh, fabric);
+    auto membrane = std::make_unique<solver::FabricMembrane>("garment", layout["garment"], mesh, fabric);
     membrane->set_final_eta(eta);
     scene.add(std::move(membrane));
-    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>(layout["garment"], mesh, fabric.bending));
+    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>("garment", layout["garment"], mesh, fabric.bending));
     if (pressure != 0.0) {
       auto load = std::make_unique<solver::PressureLoad>(layout["garment"], mesh, -pressure);
       load->hold_border(scene.numbering());
@@ -155,7 +156,7 @@ struct Sheet {
   /// From the places in `mesh.placed`; the load goes from nothing to full along `homotopy`.
   void solve(const solver::Homotopy& homotopy = solver::tightening(), const solver::IterationSink& sink = [](const auto&) {}) {
     solver::Scene parts = scene();
-    answer = solver::follow_path(parts, solver::placed_state(layout, {}, mesh), homotopy, settings, [&](const auto& row) {
+    answer = solver::follow_path(parts, tests::placed_state(layout, {}, mesh), homotopy, settings, [&](const auto& row) {
       ++iterations;
       sink(row);
     });

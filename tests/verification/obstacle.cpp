@@ -54,7 +54,7 @@ Answer solve(int n) {
   });
   for (Eigen::Vector3d& x : membrane.placed) x -= Eigen::Vector3d(2.0, 2.0, 0.0);
   const mesh::BodyMesh body = dome(static_cast<int>(std::lround(n / 3.3)));
-  const solver::Layout layout = solver::make_layout(body, membrane, false, true);
+  const solver::Layout layout = tests::make_layout(body, membrane, false, true);
   Fixed fixed(layout);
   for (std::size_t node = 0; node < membrane.placed.size(); ++node)
     if (membrane.placed[node].head<2>().cwiseAbs().maxCoeff() > 2.0 - 1e-9)
@@ -63,10 +63,10 @@ Answer solve(int n) {
   materials::Fabric fabric;  // equal tension both ways: S E = tension at the strain of the prestretch
   fabric.warp = fabric.weft = materials::TensionCurve::linear(tension / (0.5 * (prestretch * prestretch - 1.0)));
   fabric.shear = tension;
-  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], membrane, fabric, prestretch));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], membrane, fabric, prestretch));
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], membrane), solver::MasterSurface(layout["body"], body, body.skin_facets)}, tension / (membrane.mean_edge * membrane.mean_edge),
                                               solver::GapBasis::hat));
-  solver::State start = solver::placed_state(layout, body, membrane);
+  solver::State start = tests::placed_state(layout, body, membrane);
   start.load = 1.0;
   solver::PathSettings settings;
   settings.newton.penetration = 1e-6 * shallow * membrane.mean_edge;

@@ -15,8 +15,8 @@ TEST(OrthotropicSleeve, PressesOnARigidCylinderAsTheLawSays) {
   const auto solve = [&](bool held, int around, int along) {
     tube.around = around, tube.along = along, tube.length = along * 2.0 * std::numbers::pi * tube.radius / around;
     input::Case c = describe_tube(tube);
-    if (!held) c.garment->held.pop_back();
-    const postproc::RunResult result = solver::solve(c, make_meshes(c));
+    if (!held) c.garments.front().held.pop_back();
+    const postproc::RunResult result = tests::solve(c, make_meshes(c));
     EXPECT_EQ(result.status, "converged") << result.message;
     return result;
   };

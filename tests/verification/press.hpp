@@ -76,7 +76,7 @@ struct Press {
   Fixed fixed;
 
   Press(mesh::BodyMesh b, mesh::GarmentMesh g)
-      : body(std::move(b)), garment(std::move(g)), layout(solver::make_layout(body, garment, true, true)), fixed(layout) {
+      : body(std::move(b)), garment(std::move(g)), layout(tests::make_layout(body, garment, true, true)), fixed(layout) {
     body.skin_facets = body.surface("top")->facets;
     body.mean_skin_cell = mesh::mean_edge(body, body.skin_facets);
     const auto slide = [&](const std::string& face, int component) {

@@ -17,6 +17,7 @@
 #include "solver/scene/result.hpp"
 #include "solver/stepping/load_path.hpp"
 #include "tests/verification/skin_grid.hpp"
+#include "tests/scenes.hpp"
 
 namespace snug::tests {
 
@@ -95,16 +96,16 @@ inline input::Case describe(const RigidCase& rigid) {
   const bool sphere = rigid.surface == Surface::sphere;
   const std::string k = std::to_string(stiffness) + " N/m", g = std::to_string(0.5 * stiffness) + " N/m";
   input::Case c;
-  c.garment.emplace();
-  c.garment->position = -half_length(rigid);
-  c.garment->pattern.length = 2.0 * half_length(rigid);
-  c.garment->pattern.flat_circumference = 2.0 * std::numbers::pi * radius / (sphere ? 1.0 : stretch);
-  c.garment->fabric.table = "law = 'linear'\nwarp = '" + k + "'\nweft = '" + k + "'\nshear = '" + g + "'\npoisson = 0";
+  c.garments.emplace_back();
+  c.garments.front().position = -half_length(rigid);
+  c.garments.front().pattern.length = 2.0 * half_length(rigid);
+  c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * radius / (sphere ? 1.0 : stretch);
+  c.garments.front().fabric.table = "law = 'linear'\nwarp = '" + k + "'\nweft = '" + k + "'\nshear = '" + g + "'\npoisson = 0";
   const std::string held = sphere ? "all" : "axis";
-  c.garment->held = {{.edge = "upper", .held = held}, {.edge = "lower", .held = held}};
-  c.contact.emplace();
-  c.contact->friction = 0.0;
-  c.contact->basis = rigid.basis;
+  c.garments.front().held = {{.edge = "upper", .held = held}, {.edge = "lower", .held = held}};
+  c.contacts.emplace_back();
+  c.contacts.front().friction = 0.0;
+  c.contacts.front().basis = rigid.basis;
   return c;
 }
 
@@ -119,7 +120,7 @@ inline mesh::GarmentMesh wrap(const RigidCase& rigid, const input::Case& c, doub
   mesh::Limb limb;
   limb.skin = std::make_unique<CircularOutline>();
   limb.upper = half_length(rigid), limb.lower = -limb.upper;
-  mesh::GarmentMesh mesh = mesh::make_garment_mesh(*c.garment, limb, cell, 0.0);
+  mesh::GarmentMesh mesh = mesh::make_garment_mesh(c.garments.front(), limb, cell, 0.0);
   mesh.order = rigid.order;
   if (rigid.surface == Surface::sphere)
     for (Eigen::Vector3d& x : mesh.placed) x = on_surface(Surface::sphere, std::atan2(x.y(), x.x()), x.z());
@@ -173,17 +174,17 @@ inline RigidAnswer run(const RigidCase& rigid) {
   const mesh::GarmentMesh garment = wrap(rigid, c, cell * cell / placed_edge(wrap(rigid, c, cell)));
   std::optional<double> prestretch;
   if (rigid.surface == Surface::sphere) prestretch = stretch;
-  solver::Scene scene = solver::make_scene(c, body, garment, solver::Skin::rigid, prestretch);
+  solver::Scene scene = tests::make_scene(c, body, garment, solver::Skin::rigid, prestretch);
   solver::PathSettings settings;
   settings.first_step = 1.0;  // the placed shape is near the answer
   settings.newton.penetration = 1e-6 * garment.mean_edge;
-  solver::State state = solver::placed_state(scene.layout(), body, garment);
+  solver::State state = tests::placed_state(scene.layout(), body, garment);
   const auto path =
       solver::follow_path(scene, state, solver::tightening(), settings, [](const postproc::Iteration&) {});
   RigidAnswer answer;
   answer.converged = path.complete;
   answer.result.body = solver::body_result(body, false);
-  solver::fill_result(scene, path.state, body, garment, answer.result);
+  tests::fill_result(scene, path.state, body, garment, answer.result);
   measure(rigid, body, garment, answer);
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return answer;

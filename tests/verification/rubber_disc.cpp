@@ -20,7 +20,7 @@ struct RubberDisc {
     body.kind = mesh::CellKind::tet10;  // facets are quadratic triangles
     body.nodes = flat.placed;
     for (const auto& t : flat.triangles) body.skin_facets.push_back({t[0], t[1], t[2], t[3], t[4], t[5], -1, -1, -1});
-    layout = solver::make_layout(body, {}, true, false);
+    layout = tests::make_layout(body, {}, true, false);
     for (int i = 0; i < layout.size(); ++i) master.push_back(i);
     for (int node = 0; node < layout["body"].count; ++node) {
       const Plane& x = flat.pattern[node];
@@ -40,7 +40,7 @@ struct RubberDisc {
     scene.damp(Eigen::VectorXd::Constant(layout.size(), stiffness));
     return scene;
   }
-  solver::State start() const { return solver::placed_state(layout, body, {}); }
+  solver::State start() const { return tests::placed_state(layout, body, {}); }
 };
 
 Inflated inflate(const RubberDisc& disc, const materials::SkinMembrane& law, double pressure) {

@@ -47,7 +47,7 @@ TEST(SmoothBand, PressesAnEllipseWithTensionTimesCurvature) {
   for (Eigen::Vector3d& x : body.nodes) x = ellipse.at(std::atan2(x.y(), x.x()), x.z());
   solver::Scene scene = tests::strip_scene(s, band, body);
   const solver::Layout& layout = scene.layout();
-  solver::State start = solver::placed_state(layout, body, band);
+  solver::State start = tests::placed_state(layout, body, band);
   start.load = 1.0;
   start.values.tail(layout["contact"].count).setConstant(1000.0);
   const auto path = solver::follow_path(scene, start, [](solver::State&, double) {}, settings_for(band), [](const auto&) {});
@@ -83,7 +83,7 @@ TEST(SmoothBand, TwoPanelsInSeriesShareTheirTension) {
     panel.triangles.push_back(triangle), panel.warp.push_back(Eigen::Vector2d::UnitX());
   }
   const mesh::BodyMesh body = tests::cylinder_skin(radius, tests::strip_width(s), s.skin_cell * ring.mean_edge);
-  const solver::Layout layout = solver::make_layout(body, ring, false, true);
+  const solver::Layout layout = tests::make_layout(body, ring, false, true);
   std::vector<int> master(layout.size());
   for (int i = 0; i < layout.size(); ++i) master[i] = i;
   for (int node = 0; node < layout["garment"].count; ++node)
@@ -92,11 +92,11 @@ TEST(SmoothBand, TwoPanelsInSeriesShareTheirTension) {
   for (int j = 0; j < 5; ++j)  // the ring may not turn
     for (const int node : {j * columns, j * columns + columns - 1}) master[layout["garment"](node, 1)] = -1;
   solver::Scene scene(layout, solver::Numbering(std::move(master)));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], first, tests::straight_fabric(k1, 0.3 * k1)));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], second, tests::straight_fabric(k2, 0.3 * k2)));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], first, tests::straight_fabric(k1, 0.3 * k1)));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], second, tests::straight_fabric(k2, 0.3 * k2)));
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], ring), solver::MasterSurface(layout["body"], body, body.skin_facets)},
                                               k2 / (ring.mean_edge * ring.mean_edge), solver::GapBasis::hat));
-  solver::State start = solver::placed_state(layout, body, ring);
+  solver::State start = tests::placed_state(layout, body, ring);
   start.load = 1.0;
   start.values.tail(layout["contact"].count).setConstant(3000.0);
   const auto path = solver::follow_path(scene, start, [](solver::State&, double) {}, settings_for(ring), [](const auto&) {});

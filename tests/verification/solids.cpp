@@ -146,7 +146,7 @@ TEST(FrameIndifference, ATurnedSolutionIsASolution) {
   const BlockCase c = large_load();
   const BlockAnswer a = solve(c);
   const mesh::GarmentMesh none;
-  solver::Scene scene = solver::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
+  solver::Scene scene = tests::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2.0 * std::numbers::pi / 3.0, Eigen::Vector3d::Ones().normalized()).toRotationMatrix();
   solver::State turned = a.path.state;
@@ -168,13 +168,13 @@ TEST(ElasticBone, MovesTheSkinAsARigidOneDoes) {
   std::array<double, 2> radius{};
   for (const bool elastic : {false, true}) {
     input::Case c = describe_tube(t);
-    c.garment.reset(), c.contact.reset();
+    c.garments.clear(), c.contacts.clear();
     c.load.emplace().skin_pressure = 5e3;
     if (elastic) {
       c.body->layers[0].form = "solid", c.body->layers[0].cells = 1;
       c.body->layers[0].material.table = "law = 'linear-elastic'\nyoungs_modulus = '10 GPa'\npoisson_ratio = 0.3";
     }
-    const postproc::RunResult result = solver::solve(c, make_meshes(c));
+    const postproc::RunResult result = tests::solve(c, make_meshes(c));
     EXPECT_EQ(result.status, "converged") << result.message;
     radius[elastic] = 1e3 * result.numbers.at("mean_skin_radial_displacement_m");
   }
@@ -189,7 +189,7 @@ TEST(Torsion, MomentAndAxialForceOfATurnedCylinder) {
   TubeCase t;
   t.bone = 0.004, t.radius = 0.010, t.length = length, t.around = 24, t.along = 1, t.through = 3;
   input::Case c = describe_tube(t);
-  c.garment.reset(), c.contact.reset();
+  c.garments.clear(), c.contacts.clear();
   const std::string law = "law = 'Mooney-Rivlin'\nC10 = '4 kPa'\nC01 = '1 kPa'\nbulk_modulus = '500 MPa'";
   c.body->layers[0].form = "solid", c.body->layers[0].cells = 1;
   for (auto& layer : c.body->layers) layer.material.table = law;
@@ -201,8 +201,8 @@ TEST(Torsion, MomentAndAxialForceOfATurnedCylinder) {
   c.support[1].turn = twist * length;
   const solver::Meshes meshes = make_meshes(c);
   const mesh::GarmentMesh none;
-  solver::Scene scene = solver::make_scene(c, meshes.body, none, solver::Skin::deformable);
-  const auto path = solver::follow_path(scene, solver::placed_state(scene.layout(), meshes.body, none),
+  solver::Scene scene = tests::make_scene(c, meshes.body, none, solver::Skin::deformable);
+  const auto path = solver::follow_path(scene, tests::placed_state(scene.layout(), meshes.body, none),
                                         solver::tightening(), {}, [](const postproc::Iteration&) {});
   ASSERT_TRUE(path.complete) << path.message;
   const Eigen::VectorXd residual = scene.full_residual(path.state);
@@ -249,9 +249,9 @@ TEST(Inversion, AMisplacedInnerNodeComesHomeOrIsRefused) {
   BlockCase c(make_block(block), {neo_hooke(10.0, 0.3)});
   for (const char* face : {"left", "right", "bottom", "top", "back", "front"}) c.hold(face, 0.0, 0.0, 0.0);
   const mesh::GarmentMesh none;
-  solver::Scene scene = solver::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
+  solver::Scene scene = tests::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
   const auto start = [&](double x) {
-    solver::State state = solver::placed_state(scene.layout(), c.mesh, none);
+    solver::State state = tests::placed_state(scene.layout(), c.mesh, none);
     for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
       if ((c.mesh.nodes[node] - Eigen::Vector3d(0.5, 0.5, 0.5)).norm() < 1e-9)
         state.values[scene.layout()["body"](static_cast<int>(node))] = x;

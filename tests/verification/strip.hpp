@@ -13,6 +13,7 @@
 #include "solver/stepping/load_path.hpp"
 #include "tests/verification/skin_grid.hpp"
 #include "tests/verification/straight_fabric.hpp"
+#include "tests/scenes.hpp"
 
 namespace snug::tests {
 
@@ -95,9 +96,9 @@ inline solver::Numbering strip_numbering(const solver::Layout& layout, const mes
 }
 
 inline solver::Scene strip_scene(const Strip& s, const mesh::GarmentMesh& mesh, const mesh::BodyMesh& body) {
-  const solver::Layout layout = solver::make_layout(body, mesh, false, true);
+  const solver::Layout layout = tests::make_layout(body, mesh, false, true);
   solver::Scene scene(layout, strip_numbering(layout, mesh));
-  scene.add(std::make_unique<solver::FabricMembrane>(layout["garment"], mesh, straight_fabric(s.k, 0.3 * s.k)));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], mesh, straight_fabric(s.k, 0.3 * s.k)));
   const double stiffness = s.k / (mesh.mean_edge * mesh.mean_edge);
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], mesh), solver::MasterSurface(layout["body"], body, body.skin_facets)}, stiffness,
                                               solver::GapBasis::hat));
@@ -161,7 +162,7 @@ inline StripAnswer run(const Strip& s, double first_step = 0.1, const solver::It
   const mesh::BodyMesh body = cylinder_skin(s.radius, strip_width(s), s.skin_cell * mesh.mean_edge);
   solver::Scene scene = strip_scene(s, mesh, body);
   const solver::Layout& layout = scene.layout();
-  solver::State start = solver::placed_state(layout, body, mesh);
+  solver::State start = tests::placed_state(layout, body, mesh);
   const double stretch = s.radius * s.span / s.rest_length;
   start.load = 1.0;
   start.values.tail(layout["contact"].count).setConstant(s.k * (stretch - 1.0) * stretch / s.radius);

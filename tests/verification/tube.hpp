@@ -9,7 +9,7 @@
 
 #include "cases/input/case.hpp"
 #include "solver/scene/garment_cells.hpp"
-#include "solver/scene/run.hpp"
+#include "tests/scenes.hpp"
 
 namespace snug::tests {
 
@@ -49,15 +49,15 @@ inline input::Case describe_tube(const TubeCase& tube) {
   c.body->layers = {bone, tissue};
   c.body->elements = tube.elements;
   c.body->cells_around = tube.around, c.body->cells_along = tube.along;
-  c.garment.emplace();
-  c.garment->pattern.flat_circumference = 2.0 * std::numbers::pi * tube.sleeve;
-  c.garment->pattern.length = tube.length;
-  c.garment->fabric.table = tube.fabric;
-  c.garment->cell_size = tube.cell_size;
-  c.garment->held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
-  c.contact.emplace();
-  c.contact->friction = 0.0;
-  c.contact->basis = tube.basis;
+  c.garments.emplace_back();
+  c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * tube.sleeve;
+  c.garments.front().pattern.length = tube.length;
+  c.garments.front().fabric.table = tube.fabric;
+  c.garments.front().cell_size = tube.cell_size;
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
+  c.contacts.emplace_back();
+  c.contacts.front().friction = 0.0;
+  c.contacts.front().basis = tube.basis;
   c.solver.tier = tube.tier;
   return c;
 }
@@ -66,13 +66,16 @@ inline solver::Meshes make_meshes(const input::Case& c) {
   solver::Meshes meshes;
   meshes.limb = mesh::make_limb(*c.body);
   meshes.body = mesh::make_body_mesh(*c.body, meshes.limb);
-  if (c.garment) meshes.garment = mesh::make_garment_mesh(*c.garment, meshes.limb, solver::worn_cell_size(c, meshes.limb, meshes.body));
+  const solver::Model model = solver::make_model(c, meshes.body);
+  for (std::size_t g = 0; g < c.garments.size(); ++g)
+    meshes.garments.push_back(mesh::make_garment_mesh(
+        c.garments[g], meshes.limb, solver::worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body)));
   return meshes;
 }
 
 inline postproc::RunResult run(const TubeCase& tube) {
   const input::Case c = describe_tube(tube);
-  return solver::solve(c, make_meshes(c));
+  return tests::solve(c, make_meshes(c));
 }
 
 }  // namespace snug::tests

@@ -45,14 +45,14 @@ void measure_nodes(const postproc::BodyResult& body, double hem, double exact, E
 Errors run_against(const Exact& exact, const input::Case& description) {
   const solver::Meshes meshes = make_meshes(description);
   const auto start = std::chrono::steady_clock::now();
-  const postproc::RunResult result = solver::solve(description, meshes);
+  const postproc::RunResult result = tests::solve(description, meshes);
   EXPECT_EQ(result.status, "converged") << result.message;
   Errors errors;
   errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const auto& [part, unknowns] : result.unknowns) errors.unknowns += unknowns;
   errors.pressure = result.numbers.at("mean_contact_pressure_Pa") / exact.pressure - 1.0;
   errors.displacement = result.numbers.at("mean_skin_radial_displacement_m") / exact.displacement - 1.0;
-  measure_nodes(result.body, meshes.garment.mean_edge, exact.pressure, errors);
+  measure_nodes(result.body, meshes.garments.front().mean_edge, exact.pressure, errors);
   return errors;
 }
 

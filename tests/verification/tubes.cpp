@@ -84,24 +84,24 @@ TEST(FreeBore, ASleeveClosesItAsItsRowsSay) {
     c.hold("x axis", {}, 0.0, {}), c.hold("y axis", 0.0, {}, {});
     c.mesh.skin_facets = c.mesh.surface("top")->facets;
     c.mesh.mean_skin_cell = mesh::mean_edge(c.mesh, c.mesh.skin_facets);
-    c.c.contact.emplace();
-    c.c.contact->friction = 0.0;
-    input::GarmentSpec& sleeve = c.c.garment.emplace();
+    c.c.contacts.emplace_back();
+    c.c.contacts.front().friction = 0.0;
+    input::GarmentSpec& sleeve = c.c.garments.emplace_back();
     sleeve.pattern.flat_circumference = 2.0 * std::numbers::pi * 0.044, sleeve.pattern.length = length;
     sleeve.fabric.table = "law = 'cubic'\nk1 = '200 N/m'\nk3 = '0 N/m'\nshear = '60 N/m'\npoisson = 0";
     sleeve.held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
     mesh::Limb limb;
     limb.skin = std::make_unique<Round>(), limb.upper = length;
     const mesh::GarmentMesh garment = mesh::make_garment_mesh(sleeve, limb, 0.5 * c.mesh.mean_skin_cell);
-    solver::Scene scene = solver::make_scene(c.c, c.mesh, garment, solver::Skin::deformable);
+    solver::Scene scene = tests::make_scene(c.c, c.mesh, garment, solver::Skin::deformable);
     solver::PathSettings settings;
     settings.newton.penetration = 1e-6 * garment.mean_edge;
     BlockAnswer a;
-    a.path = solver::follow_path(scene, solver::placed_state(scene.layout(), c.mesh, garment), solver::tightening(), settings,
+    a.path = solver::follow_path(scene, tests::placed_state(scene.layout(), c.mesh, garment), solver::tightening(), settings,
                                  [](const postproc::Iteration&) {});
     EXPECT_TRUE(a.path.complete) << a.path.message;
     a.result.body = solver::body_result(c.mesh, true);
-    solver::fill_result(scene, a.path.state, c.mesh, garment, a.result);
+    tests::fill_result(scene, a.path.state, c.mesh, garment, a.result);
     const std::string name = fmt::format("free bore under a sleeve, nu = {}", row.nu), source = "reference book 1.7";
     book(name, "u_in [mm]", 1e3 * mean_radius(c, a, "bottom") - 20.0, row.inner - 20.0, 1e-4, source);
     book(name, "u_out [mm]", 1e3 * mean_radius(c, a, "top") - 55.0, row.outer - 55.0, 1e-4, source);
@@ -296,7 +296,7 @@ TEST(Flexure, TheMomentOfABentBlock) {
           c.mesh.held.push_back({node, component, (exact(c.mesh.nodes[node]) - c.mesh.nodes[node])[component]});
     const BlockAnswer a = solve(c);
     const mesh::GarmentMesh none;
-    const solver::Scene scene = solver::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
+    const solver::Scene scene = tests::make_scene(c.c, c.mesh, none, solver::Skin::deformable);
     const Eigen::VectorXd residual = scene.full_residual(a.path.state);
     double moment = 0.0;
     for (const int node : c.mesh.surface("top")->nodes) {

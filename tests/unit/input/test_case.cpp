@@ -82,15 +82,15 @@ TEST_F(CaseDirectory, WholeCaseArrivesInSi) {
   // A case is read into plain structs in SI, with paths resolved and the form of each layer decided.
   const Case c = read_text(good_);
   EXPECT_EQ(c.title, "t");
-  EXPECT_DOUBLE_EQ(c.garment->pattern.flat_circumference, 0.42);
+  EXPECT_DOUBLE_EQ(c.garments.front().pattern.flat_circumference, 0.42);
   EXPECT_TRUE(fs::exists(c.body->stations));
   EXPECT_EQ(c.body->layers[0].form, "rigid");
   EXPECT_EQ(c.body->layers[1].form, "solid");
   EXPECT_EQ(c.body->layers[1].cells, 3);
   EXPECT_EQ(c.body->layers[2].form, "membrane");
-  EXPECT_EQ(c.garment->fabric.where.line, 11);
-  EXPECT_EQ(c.garment->fabric.where.column, 10);
-  EXPECT_TRUE(c.contact);
+  EXPECT_EQ(c.garments.front().fabric.where.line, 11);
+  EXPECT_EQ(c.garments.front().fabric.where.column, 10);
+  EXPECT_EQ(c.contacts.size(), 1u);
   EXPECT_FALSE(c.comfort);
   EXPECT_FALSE(c.load);
 }
@@ -174,8 +174,8 @@ TEST_F(CaseDirectory, OverridesPassTheSameReader) {
   const Case c = read_text(
       good_, {.overrides = {"garment.fabric=N85L15", "garment.pattern.length=20 cm", "body.layers.tissue.cells=5",
                             "body.layers.2.thickness=2 mm", "solver.tier=\"L1\""}});
-  EXPECT_EQ(c.garment->fabric.name, "N85L15");
-  EXPECT_DOUBLE_EQ(c.garment->pattern.length, 0.2);
+  EXPECT_EQ(c.garments.front().fabric.name, "N85L15");
+  EXPECT_DOUBLE_EQ(c.garments.front().pattern.length, 0.2);
   EXPECT_EQ(c.body->layers[1].cells, 5);
   EXPECT_DOUBLE_EQ(*c.body->layers[2].thickness, 2e-3);
   EXPECT_EQ(c.solver.tier, "L1");

@@ -24,8 +24,8 @@ struct ShakenBlock {
 
   ShakenBlock(CellKind kind, const std::string& second)
       : block(make(kind, second)),
-        scene(solver::make_scene(block.c, block.mesh, {}, solver::Skin::deformable)),
-        state(solver::placed_state(scene.layout(), block.mesh, {})) {
+        scene(tests::make_scene(block.c, block.mesh, {}, solver::Skin::deformable)),
+        state(tests::placed_state(scene.layout(), block.mesh, {})) {
     const solver::Layout& layout = scene.layout();
     state.load = 0.6, state.stiffening = 2.0;
     state.values.head(layout.positions()) += random_vector(layout.positions(), 0.02, 1);
@@ -180,7 +180,7 @@ TEST(Loads, PressureOnAnOpenFaceHasItsUnsymmetricTangent) {
     led.hold("left", 0.0, {}, {}), led.hold("right", 0.0, {}, {}), led.hold("front", {}, {}, 0.0), led.hold("back", {}, {}, 0.0);
     bonded.hold("top", 0.0, {}, 0.0);
     for (const BlockCase& c : {led, bonded})
-      EXPECT_TRUE(solver::make_scene(c.c, c.mesh, {}, solver::Skin::deformable).find<solver::PressureLoad>()->symmetric());
+      EXPECT_TRUE(tests::make_scene(c.c, c.mesh, {}, solver::Skin::deformable).find<solver::PressureLoad>()->symmetric());
   }
 }
 

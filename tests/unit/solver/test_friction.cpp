@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 
-#include "solver/scene/friction_choice.hpp"
 #include "tests/unit/solver/terms.hpp"
 
 namespace snug::tests {
@@ -22,8 +21,8 @@ struct Rubbed {
 
   explicit Rubbed(Skin skin, double slip, double mu = 0.3)
       : description(describe(mu)), meshes(make_meshes(description)),
-        scene(solver::make_scene(description, meshes.body, meshes.garment, skin)),
-        state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
+        scene(tests::make_scene(description, meshes, skin)),
+        state(solver::placed_state(scene.layout(), meshes)) {
     const solver::Layout& layout = scene.layout();
     state.values.head(layout.positions()) += random_vector(layout.positions(), 2e-5, 1);
     for (int i = 0; i < layout["contact"].count; ++i) state.values[layout["contact"](i)] = 5000.0 + 1000.0 * std::sin(i);
@@ -52,7 +51,7 @@ struct Rubbed {
     TubeCase tube;
     tube.around = 6, tube.along = 2, tube.through = 1, tube.cell_size = 0.03;
     input::Case c = describe_tube(tube);
-    c.contact->friction = mu;
+    c.contacts.front().friction = mu;
     return c;
   }
 
@@ -216,12 +215,12 @@ TEST(Friction, AStateOfAnotherSceneIsRefused) {
   TubeCase finer;
   finer.around = 8, finer.along = 2, finer.through = 1, finer.cell_size = 0.02;
   input::Case other = describe_tube(finer);
-  other.contact->friction = 0.3;
+  other.contacts.front().friction = 0.3;
   const solver::Meshes meshes = make_meshes(other);
   State read;
   solver::ByteReader reader(writer.bytes);
   each(reader, read);
-  EXPECT_THROW(solver::make_scene(other, meshes.body, meshes.garment, Skin::deformable).restore(read), std::runtime_error);
+  EXPECT_THROW(tests::make_scene(other, meshes, Skin::deformable).restore(read), std::runtime_error);
 }
 
 /// Nothing is released at 0, everything at 1; between them the bound is mu p / release.
@@ -245,21 +244,24 @@ TEST(Friction, SticksWithoutABoundUntilItIsReleased) {
 /// What the case says comes first, then the fabric, then the literature.
 TEST(Friction, IsThatOfTheCaseElseOfTheFabricElseTheUsualOne) {
   input::Case c = Rubbed::describe(0.17);
-  EXPECT_EQ(solver::friction_choice(c).coefficient, 0.17);
-  c.contact->friction.reset();
-  EXPECT_EQ(solver::friction_choice(c).coefficient, 0.3);
-  c.garment->fabric.table += "\nMIU = 0.22";
-  EXPECT_EQ(solver::friction_choice(c).coefficient, 0.22);
-  EXPECT_FALSE(solver::has_friction(solver::without_friction(c)));
-  c.contact.reset();
-  EXPECT_FALSE(solver::has_friction(c));
+  const auto coefficient = [&] { return solver::make_model(c).contact_of(0)->friction.coefficient; };
+  EXPECT_EQ(coefficient(), 0.17);
+  c.contacts.front().friction.reset();
+  EXPECT_EQ(coefficient(), 0.3);
+  c.garments.front().fabric.table += "\nMIU = 0.22";
+  EXPECT_EQ(coefficient(), 0.22);
+  c.contacts.front().friction = 0.0;
+  EXPECT_FALSE(solver::make_model(c).has_friction());
+  c.contacts.clear();
+  EXPECT_EQ(solver::make_model(c).contact_of(0), nullptr);
+  EXPECT_FALSE(solver::make_model(c).has_friction());
 }
 
 TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   const input::Case c = Rubbed::describe(0.0);
   const solver::Meshes meshes = make_meshes(c);
-  const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, Skin::rigid);
-  State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+  const solver::Scene scene = tests::make_scene(c, meshes, Skin::rigid);
+  State state = solver::placed_state(scene.layout(), meshes);
   scene.look(state), scene.commit(state);
   EXPECT_EQ(scene.find<solver::Friction>(), nullptr);
   EXPECT_FALSE(state.history.has("friction"));

@@ -20,7 +20,7 @@ TubeCase small() {
 
 input::Case frictionless(const TubeCase& tube) {
   input::Case c = describe_tube(tube);
-  c.contact->friction = 0.0;
+  c.contacts.front().friction = 0.0;
   return c;
 }
 
@@ -29,11 +29,11 @@ struct Worn {
   solver::Meshes meshes;
   RunResult result;
 
-  explicit Worn(const TubeCase& tube) : description(frictionless(tube)), meshes(make_meshes(description)), result(solver::solve(description, meshes)) {
+  explicit Worn(const TubeCase& tube) : description(frictionless(tube)), meshes(make_meshes(description)), result(tests::solve(description, meshes)) {
     EXPECT_EQ(result.status, "converged");
   }
   /// Measures the result anew.
-  void look() { result.warnings.clear(), solver::guard(description, meshes, result); }
+  void look() { result.warnings.clear(), solver::guard(solver::make_model(description, meshes.body), meshes, result); }
   const Warning* warning(const std::string& name) const {
     for (const Warning& w : result.warnings)
       if (w.name == name) return &w;
@@ -166,13 +166,13 @@ TEST(Guards, WhatToTryFollowsFromTheCase) {
   const solver::Meshes meshes = make_meshes(c);
   RunResult result;
   result.status = "converged";
-  EXPECT_TRUE(solver::what_to_try(c, meshes, result).empty());
+  EXPECT_TRUE(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result).empty());
   result.status = "partial", result.truth.stage = "rigid skin";
-  EXPECT_THAT(solver::what_to_try(c, meshes, result), testing::ElementsAre(HasSubstr("contact.friction")));
-  c.garment->held.clear(), c.contact->friction = 0.3;
-  EXPECT_THAT(solver::what_to_try(c, meshes, result), testing::ElementsAre(HasSubstr("garment.held")));
-  c.garment->cell_size = 1.0;
-  EXPECT_THAT(solver::what_to_try(c, meshes, result), testing::Contains(HasSubstr("cell_size")));
+  EXPECT_THAT(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result), testing::ElementsAre(HasSubstr("contact.friction")));
+  c.garments.front().held.clear(), c.contacts.front().friction = 0.3;
+  EXPECT_THAT(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result), testing::ElementsAre(HasSubstr("garment.held")));
+  c.garments.front().cell_size = 1.0;
+  EXPECT_THAT(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result), testing::Contains(HasSubstr("cell_size")));
 }
 
 // The state of an answer is that of its last stage, in full.

@@ -20,9 +20,9 @@ input::Case on_cone(double slope, int around = 16) {
   out.precision(17);
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double z : {0.0, 0.06, 0.12}) out << z << ", " << 2.0 * std::numbers::pi * (0.055 + slope * (z - 0.06)) << ", 0.1\n";
-  c.garment->position = 0.020, c.garment->pattern.length = 0.080;
-  c.garment->held = {{.edge = "upper", .held = "axis"}};
-  c.contact->friction = 0.0;
+  c.garments.front().position = 0.020, c.garments.front().pattern.length = 0.080;
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.contacts.front().friction = 0.0;
   return c;
 }
 
@@ -35,15 +35,15 @@ struct Worn {
 
 Worn wear(const input::Case& c) {
   solver::Meshes meshes = make_meshes(c);
-  solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, solver::Skin::rigid);
-  solver::State placed = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+  solver::Scene scene = tests::make_scene(c, meshes, solver::Skin::rigid);
+  solver::State placed = solver::placed_state(scene.layout(), meshes);
   solver::PathSettings settings;
-  settings.newton.penetration = 1e-6 * meshes.garment.mean_edge;
+  settings.newton.penetration = 1e-6 * meshes.garments.front().mean_edge;
   const auto path = solver::follow_path(scene, placed, solver::tightening(), settings, [](const postproc::Iteration&) {});
   EXPECT_TRUE(path.complete) << path.message;
   postproc::RunResult result;
   result.body = solver::body_result(meshes.body, false);
-  solver::fill_result(scene, path.state, meshes.body, meshes.garment, result);
+  tests::fill_result(scene, path.state, meshes, result);
   return {std::move(meshes), std::move(scene), placed, path.state, std::move(result)};
 }
 
@@ -55,7 +55,7 @@ TEST(HeldEdge, HoldsAlongTheGeneratorOfACone) {
   Worn worn = wear(on_cone(taper));
   const Eigen::VectorXd residual = worn.scene.full_residual(worn.state);
   double moved = 0.0, force = 0.0;
-  for (const int node : worn.meshes.garment.edges.at("upper")) {
+  for (const int node : worn.meshes.garments.front().edges.at("upper")) {
     const int entry = worn.scene.layout()["garment"](node);
     const Eigen::Vector3d x = worn.placed.values.segment<3>(entry), u = worn.state.values.segment<3>(entry) - x;
     const Eigen::Vector3d m = (Eigen::Vector3d::UnitZ() + taper * radial(x)).normalized(), r = residual.segment<3>(entry);
@@ -94,9 +94,9 @@ TEST(HeldEdge, PressesNoLineIntoTheSkin) {
 TEST(HeldEdge, OnACylinderTheAxisIsPrescribed) {
   const input::Case c = on_cone(0.0);
   const solver::Meshes meshes = make_meshes(c);
-  const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, solver::Skin::rigid);
+  const solver::Scene scene = tests::make_scene(c, meshes, solver::Skin::rigid);
   EXPECT_TRUE(scene.numbering().bound().empty());
-  for (const int node : meshes.garment.edges.at("upper")) EXPECT_EQ(scene.numbering().unknown(scene.layout()["garment"](node, 2)), -1);
+  for (const int node : meshes.garments.front().edges.at("upper")) EXPECT_EQ(scene.numbering().unknown(scene.layout()["garment"](node, 2)), -1);
 }
 
 }  // namespace

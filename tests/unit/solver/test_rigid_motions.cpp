@@ -104,7 +104,7 @@ TEST(RigidMotions, ABalancedBodyFloatsWithoutReactions) {
 TEST(RigidMotions, AnUnbalancedBodyIsRefusedWithItsNetLoad) {
   const auto message = [](const BlockCase& c) -> std::string {
     try {
-      solver::make_scene(c.c, c.mesh, {}, solver::Skin::deformable);
+      tests::make_scene(c.c, c.mesh, {}, solver::Skin::deformable);
     } catch (const input::InputError& error) {
       return error.what();
     }

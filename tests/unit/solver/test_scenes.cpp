@@ -21,7 +21,7 @@ TubeCase coarse() {
 
 std::vector<std::string> term_names(const input::Case& c, Skin skin) {
   const solver::Meshes meshes = make_meshes(c);
-  const solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, skin);
+  const solver::Scene scene = tests::make_scene(c, meshes, skin);
   std::vector<std::string> names;
   for (const auto& term : scene.terms()) names.push_back(term->name());
   return names;
@@ -35,12 +35,12 @@ std::vector<std::string> phase_names(const postproc::RunResult& result) {
 
 TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
   input::Case c = describe_tube(coarse());
-  c.garment.reset(), c.contact.reset();
+  c.garments.clear(), c.contacts.clear();
   c.load.emplace().skin_pressure = 1000.0;
   const solver::Meshes meshes = make_meshes(c);
-  EXPECT_THAT(solver::plan(c, meshes).unknowns, ElementsAre(Key("body")));
+  EXPECT_THAT(tests::plan(c, meshes).unknowns, ElementsAre(Key("body")));
   EXPECT_THAT(term_names(c, Skin::deformable), ElementsAre("tissue", "pressure on skin"));
-  const postproc::RunResult result = solver::solve(c, meshes);
+  const postproc::RunResult result = tests::solve(c, meshes);
   EXPECT_EQ(result.status, "converged");
   EXPECT_THAT(result.unknowns, ElementsAre(Key("body")));
   EXPECT_THAT(phase_names(result), ElementsAre("set-up", "body", "results"));
@@ -53,7 +53,7 @@ TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
   TubeCase tube = coarse();
   tube.tier = "L1";
   const input::Case c = describe_tube(tube);
-  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "contact"));
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
   const postproc::RunResult result = run(tube);
   EXPECT_EQ(result.status, "converged");
   EXPECT_THAT(result.unknowns, UnorderedElementsAre(Key("garment"), Key("contact")));
@@ -63,18 +63,18 @@ TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
 
 TEST(Parts, AGarmentWithoutContactHasNoContactTermAndNoMultipliers) {
   input::Case c = describe_tube(coarse());
-  c.contact.reset();
+  c.contacts.clear();
   c.solver.tier = "L1";
   const solver::Meshes meshes = make_meshes(c);
-  EXPECT_THAT(solver::plan(c, meshes).unknowns, ElementsAre(Key("garment")));
-  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane"));
+  EXPECT_THAT(tests::plan(c, meshes).unknowns, ElementsAre(Key("garment")));
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment"));
 }
 
 TEST(Parts, TierL0HasNoUnknownsAtAll) {
   TubeCase tube = coarse();
   tube.tier = "L0";
   const input::Case c = describe_tube(tube);
-  EXPECT_TRUE(solver::plan(c, make_meshes(c)).unknowns.empty());
+  EXPECT_TRUE(tests::plan(c, make_meshes(c)).unknowns.empty());
   const postproc::RunResult result = run(tube);
   EXPECT_EQ(result.status, "converged");
   EXPECT_TRUE(result.unknowns.empty());
@@ -83,7 +83,7 @@ TEST(Parts, TierL0HasNoUnknownsAtAll) {
 
 TEST(Parts, EveryPartOfTheFullSceneIsThereOnce) {
   EXPECT_THAT(term_names(describe_tube(coarse()), Skin::deformable),
-              ElementsAre("tissue", "fabric membrane", "contact"));
+              ElementsAre("tissue", "fabric of garment", "contact"));
 }
 
 TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo) {
@@ -93,23 +93,23 @@ TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo)
   const auto says = [&](const std::vector<std::string>& list, const std::string& text) {
     return std::any_of(list.begin(), list.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
   };
-  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "fabric bending", "dead load", "contact"));
-  const solver::Plan plan = solver::plan(c, make_meshes(c));
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "bending of garment", "weight of garment", "contact"));
+  const solver::Plan plan = tests::plan(c, make_meshes(c));
   EXPECT_TRUE(says(plan.parts_in, "bending: 4.24e-06 N m along the warp, 4.24e-06 along the weft (assumed: a bending length of 12 mm); "
                                   "the garment is up to 3 mm wider all round than the body"));
   EXPECT_TRUE(says(plan.parts_in, "weight of the garment: 250 g/m2 (assumed)"));
-  c.garment->fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
-  EXPECT_TRUE(says(solver::plan(c, make_meshes(c)).parts_in, "weight of the garment: 100 g/m2; the garment is"));
-  c.garment->bending = false, c.garment->weight = false;
-  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "contact"));
-  EXPECT_TRUE(says(solver::plan(c, make_meshes(c)).parts_out, "bending: the case says so"));
+  c.garments.front().fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
+  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_in, "weight of the garment: 100 g/m2; the garment is"));
+  c.garments.front().bending = false, c.garments.front().weight = false;
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
+  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "bending: the case says so"));
 
   c = describe_tube(coarse());
-  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "contact"));
-  EXPECT_TRUE(says(solver::plan(c, make_meshes(c)).parts_out, "bending: the garment is nowhere wider than the body"));
-  c.garment->bending = true;
-  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric membrane", "fabric bending", "contact"));
-  c.garment->order = 1;
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
+  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "bending: the garment is nowhere wider than the body"));
+  c.garments.front().bending = true;
+  EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "bending of garment", "contact"));
+  c.garments.front().order = 1;
   EXPECT_THROW(term_names(c, Skin::rigid), input::InputError);
 }
 
@@ -119,9 +119,9 @@ TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
   tube.sleeve = 0.058;
   tube.tier = "L1";
   input::Case c = describe_tube(tube);
-  c.garment->held = {{.edge = "upper", .held = "axis"}};
-  c.garment->fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
-  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
+  const postproc::RunResult result = tests::solve(c, make_meshes(c));
   EXPECT_EQ(result.status, "converged") << result.message;
   const double weight = 0.1 * 9.80665 * 2.0 * std::numbers::pi * 0.058 * 0.060;
   EXPECT_NEAR(result.balance.garment_weight.z(), -weight, 1e-9 * weight);
@@ -141,9 +141,9 @@ input::Case free_sleeve(double lower, double upper) {
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double s : {0.0, 0.5, 1.0})
     out << s * tube.length << ", " << 2.0 * std::numbers::pi * (lower + s * (upper - lower)) << ", 0.12\n";
-  c.garment->held.clear();
-  c.garment->position = 0.010;
-  c.garment->pattern.length = 0.040;
+  c.garments.front().held.clear();
+  c.garments.front().position = 0.010;
+  c.garments.front().pattern.length = 0.040;
   return c;
 }
 
@@ -151,7 +151,7 @@ input::Case free_sleeve(double lower, double upper) {
 /// (reference book 3, "frictionless sleeve on a rigid cone"): it holds only when an edge is held.
 TEST(Equilibrium, AFreeSleeveOnAConeIsRecognisedAndTheRemedyNamed) {
   const input::Case c = free_sleeve(0.049, 0.055);
-  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  const postproc::RunResult result = tests::solve(c, make_meshes(c));
   EXPECT_EQ(result.status, "failed");
   EXPECT_THAT(result.message, HasSubstr("no equilibrium"));
   EXPECT_THAT(result.message, HasSubstr("pushes it down"));
@@ -161,8 +161,8 @@ TEST(Equilibrium, AFreeSleeveOnAConeIsRecognisedAndTheRemedyNamed) {
 TEST(Equilibrium, TheDirectionOfSlidingFollowsTheCone) {
   const input::Case c = free_sleeve(0.055, 0.049);
   const solver::Meshes meshes = make_meshes(c);
-  EXPECT_EQ(solver::probe_edge(meshes.garment), "lower");
-  const postproc::RunResult result = solver::solve(c, meshes);
+  EXPECT_EQ(solver::probe_edge(meshes.garments.front()), "lower");
+  const postproc::RunResult result = tests::solve(c, meshes);
   EXPECT_EQ(result.status, "failed");
   EXPECT_THAT(result.message, HasSubstr("pushes it up"));
   EXPECT_THAT(result.message, HasSubstr("edge = \"lower\""));
@@ -171,7 +171,7 @@ TEST(Equilibrium, TheDirectionOfSlidingFollowsTheCone) {
 TEST(Equilibrium, AFreeSleeveOnARigidCylinderIsInEquilibrium) {
   input::Case c = free_sleeve(0.055, 0.055);
   c.solver.tier = "L1";
-  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  const postproc::RunResult result = tests::solve(c, make_meshes(c));
   EXPECT_EQ(result.status, "converged") << result.message;
 }
 
@@ -181,7 +181,7 @@ TEST(Laplace, PressureOnACylinderIsTensionOverRadius) {
   const input::Case c = describe_tube(tube);
   const solver::Meshes meshes = make_meshes(c);
   const auto l0 =
-      solver::laplace_pressure(*c.garment, materials::find_fabric(c.garment->fabric), meshes.limb, meshes.body);
+      solver::laplace_pressure(c.garments.front(), materials::find_fabric(c.garments.front().fabric), meshes.limb, meshes.body);
   const double stretch = tube.radius / tube.sleeve;
   const double exact = 1000.0 * stretch * (stretch * stretch - 1.0) / 2.0 / tube.radius;  // 6392.045 Pa
   EXPECT_NEAR(l0.mean, exact, 1e-8 * exact);

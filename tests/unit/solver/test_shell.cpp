@@ -19,8 +19,8 @@ struct CurvedShell {
   Shell shell;
   State rest;
 
-  explicit CurvedShell(bool bound) : body(make(bound)), layout(solver::make_layout(body, {}, true, false)), shell(layout["body"], body, {{100.0, 0.3}}) {
-    rest = solver::placed_state(layout, body, {});
+  explicit CurvedShell(bool bound) : body(make(bound)), layout(tests::make_layout(body, {}, true, false)), shell(layout["body"], body, {{100.0, 0.3}}) {
+    rest = tests::placed_state(layout, body, {});
     rest.load = 1.0;
   }
   static mesh::BodyMesh make(bool bound) {
@@ -86,7 +86,7 @@ TEST(Shell, ARotationHeldAtOneNodeIsRefused) {
   mesh::Model model = square_shell(2, 2, [](double u, double v) { return Eigen::Vector3d(u, v, 0.0); }, 1.0, 0.3, 0.1);
   model.supports = {{1, 3, 0.0}};
   const mesh::BodyMesh body = shell_case(model).mesh;
-  const solver::Field positions = solver::make_layout(body, {}, true, false)["body"];
+  const solver::Field positions = tests::make_layout(body, {}, true, false)["body"];
   EXPECT_THROW(Shell(positions, body, {{1.0, 0.3}}), input::InputError);
   model.supports = {{1, 5, 0.0}};  // about the normal: means nothing
   EXPECT_NO_THROW(Shell(positions, shell_case(model).mesh, {{1.0, 0.3}}));

@@ -23,8 +23,8 @@ struct Shaken {
   explicit Shaken(Skin skin, const std::string& basis = "hat", double axial = 1.05)
       : description(describe(basis)),
         meshes(make_meshes(description)),
-        scene(solver::make_scene(description, meshes.body, meshes.garment, skin)),
-        state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
+        scene(tests::make_scene(description, meshes, skin)),
+        state(solver::placed_state(scene.layout(), meshes)) {
     const solver::Layout& layout = scene.layout();
     state.load = 0.6, state.stiffening = 3.0;
     state.values.head(layout.positions()) += random_vector(layout.positions(), 2e-5, 1);
@@ -160,9 +160,9 @@ TEST(Tangents, SkinPressureIsExactAndSymmetricWhereTheCutPlanesStand) {
 TEST(Tangents, PressureOnAGarmentIsExactWhereItsEdgesStayInAPlane) {
   Shaken shaken(Skin::rigid);
   const solver::Layout& layout = shaken.scene.layout();
-  solver::PressureLoad load(layout["garment"], shaken.meshes.garment, -3000.0);
+  solver::PressureLoad load(layout["garment"], shaken.meshes.garments.front(), -3000.0);
   Eigen::VectorXd free = Eigen::VectorXd::Ones(layout.size());
-  for (const auto& [name, nodes] : shaken.meshes.garment.edges)
+  for (const auto& [name, nodes] : shaken.meshes.garments.front().edges)
     for (const int node : nodes) {
       shaken.state.values[layout["garment"](node, 2)] = name == "upper" ? 0.06 : 0.0;
       free[layout["garment"](node, 2)] = 0.0;
@@ -187,7 +187,7 @@ TEST(Tangents, PressureOnAGarmentIsExactWhereItsEdgesStayInAPlane) {
 TEST(Tangents, NegativePressureOnAGarmentPushesItOutwards) {
   Shaken shaken(Skin::rigid);
   const solver::Layout& layout = shaken.scene.layout();
-  const solver::PressureLoad load(layout["garment"], shaken.meshes.garment, -3000.0);
+  const solver::PressureLoad load(layout["garment"], shaken.meshes.garments.front(), -3000.0);
   const Eigen::VectorXd force = -assemble(load, shaken.state, Tangent::none).residual;
   double outwards = 0.0;
   for (int node = 0; node < layout["garment"].count; ++node)
