@@ -1,0 +1,149 @@
+// What is an answer: every condition of equilibrium is asked for, and a run that ends short of it says so and keeps the last state
+// that was one.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "solver/stepping/newton.hpp"
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::NewtonSettings, solver::Skin;
+using testing::HasSubstr, testing::Not;
+
+TubeCase coarse() {
+  TubeCase tube;
+  tube.around = 8, tube.along = 2, tube.through = 1;
+  return tube;
+}
+
+/// Asks for nothing.
+NewtonSettings anything() {
+  NewtonSettings settings;
+  settings.residual = settings.complementarity = settings.penetration = settings.volume = std::numeric_limits<double>::max();
+  return settings;
+}
+
+/// A state in which nothing is right: the garment in the skin with tensile multipliers here and there, the body shaken.
+struct Wrong {
+  solver::Meshes meshes;
+  solver::Scene scene;
+  solver::State state;
+
+  Wrong() : Wrong(describe_tube(coarse())) {}
+  explicit Wrong(const input::Case& c)
+      : meshes(make_meshes(c)), scene(solver::make_scene(c, meshes.body, meshes.garment, Skin::deformable)),
+        state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
+    const solver::Layout& layout = scene.layout();
+    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 2e-5, 1);
+    state.values.tail(layout.multipliers) = Eigen::VectorXd::Constant(layout.multipliers, 5000.0) + random_vector(layout.multipliers, 5100.0, 2);
+    look();
+  }
+  void look() {
+    scene.update(state);
+    scene.assemble(state, solver::Tangent::full);
+  }
+  bool done(const NewtonSettings& settings) const { return solver::check(scene, state, settings).done; }
+};
+
+// Each condition alone keeps a state from being an answer: the balance, no tension in contact, the gap, the volume.
+TEST(Answer, HasEveryConditionMet) {
+  Wrong wrong;
+  while (solver::check(wrong.scene, wrong.state, anything()).measure.changed > 0) wrong.look();
+  ASSERT_TRUE(wrong.done(anything()));
+  for (double NewtonSettings::* condition : {&NewtonSettings::residual, &NewtonSettings::complementarity, &NewtonSettings::penetration, &NewtonSettings::volume}) {
+    NewtonSettings settings = anything();
+    settings.*condition = NewtonSettings{}.*condition;
+    EXPECT_FALSE(wrong.done(settings));
+  }
+}
+
+// While vertices come and go the forces are those of another set of them: no answer, whatever is asked for.
+TEST(Answer, HasAnActiveSetAtRest) {
+  Wrong wrong;
+  ASSERT_GT(solver::check(wrong.scene, wrong.state, anything()).measure.changed, 0);
+  EXPECT_FALSE(wrong.done(anything()));
+}
+
+/// A sleeve on a limb, given up as soon as its run is in the phase.
+postproc::RunResult stopped_in(const std::string& phase, double friction) {
+  input::Case c = describe_tube(coarse());
+  c.contact->friction = friction;
+  bool there = false;
+  return solver::solve(c, make_meshes(c), [&](const solver::Progress& now) { there = there || now.phase.starts_with(phase); }, {},
+                       [&] { return there; });
+}
+
+/// A garment on the rigid skin of the tube presses with tension over radius (test_scenes.cpp, Laplace).
+constexpr double on_rigid_skin = 6392.045;  // Pa
+
+void expect_rigid_skin(const postproc::RunResult& result) {
+  EXPECT_EQ(result.status, "partial");
+  EXPECT_EQ(result.truth.stage, "rigid skin");
+  EXPECT_THAT(result.message, HasSubstr("what is reported is the garment on the rigid skin (tier L1)"));
+  EXPECT_NEAR(result.numbers.at("mean_contact_pressure_Pa"), on_rigid_skin, 0.03 * on_rigid_skin);
+  for (const Eigen::Vector3d& u : result.body.displacement) EXPECT_EQ(u.norm(), 0.0);
+}
+
+// Where nothing of the body converged, the garment on the rigid skin is the result, and the run is partial.
+TEST(Partial, ABodyThatDoesNotConvergeLeavesTheAnswerOnTheRigidSkin) { expect_rigid_skin(stopped_in("body", 0.3)); }
+
+// The same without friction, although another way stands in there where the body fails.
+TEST(Partial, ARunThatIsStoppedLooksForNoOtherWay) { expect_rigid_skin(stopped_in("body", 0.0)); }
+
+// Later the last state that converged is the result: on the body, at the stage and the friction where it stood.
+TEST(Partial, AStageThatIsGivenUpKeepsTheStateBeforeIt) {
+  const postproc::RunResult result = stopped_in("let go", 0.3);
+  EXPECT_EQ(result.status, "partial");
+  EXPECT_EQ(result.truth.stage, "letting go");
+  EXPECT_EQ(result.truth.fraction, 0.0);
+  EXPECT_THAT(result.message, HasSubstr("letting go stopped at 0.0 % of its path"));
+  EXPECT_THAT(result.message, Not(HasSubstr("no equilibrium")));
+  const double pressure = result.numbers.at("mean_contact_pressure_Pa");
+  EXPECT_LT(pressure, 0.97 * on_rigid_skin);  // tissue gives way
+  EXPECT_GT(pressure, 0.5 * on_rigid_skin);
+}
+
+// Where nothing converged at all there is no part of an answer.
+TEST(Partial, ARunWithoutAnyStepHasFailed) {
+  EXPECT_EQ(stopped_in("tightening", 0.3).status, "failed");
+  EXPECT_EQ(stopped_in("rigid skin", 0.0).status, "failed");
+}
+
+/// Shares of the garment's triangles: by corners that slip, and of those whose corners do not all do the same.
+struct Slipping { double corners = 0.0, mixed = 0.0; };
+
+Slipping slipping(const postproc::GarmentResult& garment) {
+  double area = 0.0;
+  Slipping share;
+  for (const auto& t : garment.triangles) {
+    const Eigen::Vector3d &a = garment.current[t[0]], &b = garment.current[t[1]], &c = garment.current[t[2]];
+    const double one = (b - a).cross(c - a).norm();
+    int corners = 0;
+    for (int k = 0; k < 3; ++k) corners += garment.slip[t[k]] == 2.0;
+    area += one, share.corners += one * corners / 3.0, share.mixed += corners % 3 != 0 ? one : 0.0;
+  }
+  return {share.corners / area, share.mixed / area};
+}
+
+// A point slips with the majority of what it stands between. A triangle with one slipping corner slips on a quarter of itself, with
+// two on three quarters; corners by thirds differ from this by a twelfth of the triangles between slip and stick.
+TEST(Slip, IsThatOfTheMajority) {
+  TubeCase tube = coarse();
+  tube.tier = "L1", tube.cell_size = 0.012;
+  tube.fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0.05";
+  input::Case c = describe_tube(tube);
+  c.garment->held.clear();  // the ends draw in until friction bears what the hoop's stretch pulls along: some 50 N/m
+  c.contact->friction = 0.08;
+  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  ASSERT_EQ(result.status, "converged") << result.message;
+  const Slipping share = slipping(result.garment);
+  ASSERT_GT(share.mixed, 0.1);
+  EXPECT_NEAR(result.numbers.at("slipping_share_of_contact"), share.corners, share.mixed / 12.0);
+}
+
+}  // namespace
+}  // namespace snug::tests
