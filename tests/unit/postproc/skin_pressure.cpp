@@ -167,6 +167,16 @@ TEST(SkinPressure, SweepsStayBoundedOnAHemThatCutsFacets) {
   }
 }
 
+TEST(SkinPressure, NoNodeIsPulled) {
+  // Cloth pushes or does nothing: where a pressure that ends within its cover makes the sweeps swing below zero, the answer is zero,
+  // and the force that goes with it is named.
+  const Patch skin = patch(6);
+  const auto samples = samples_of(6, 4, [](double x, double) { return x < 0.45 ? 3000.0 : 0.0; });
+  const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, 5);
+  for (const double pressure : result.pressure) EXPECT_GE(pressure, 0.0);
+  EXPECT_LT(result.lost_force, -1e-3 * total_force(samples));
+}
+
 TEST(SkinShear, ObeysTheSamplesBoundAndIsExactWhereTheyMobiliseFrictionEvenly) {
   // Steep pressure, hem across the facets: where every sample slips one way, the nodes carry mu p that way; where samples
   // stick or slip differently, no node exceeds mu p.
