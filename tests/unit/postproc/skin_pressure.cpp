@@ -197,6 +197,16 @@ TEST(SkinShear, ObeysTheSamplesBoundAndIsExactWhereTheyMobiliseFrictionEvenly) {
     EXPECT_LE(mixed.traction[n].norm(), (1.0 + 1e-12) * mu * normal.pressure[n]);
 }
 
+TEST(SkinShear, ANodeSlipsWithTheMajorityOfItsCover) {
+  // On one facet whose points slip where x < 0.6: the nodes at x = 0 and in the middle, three fifths of whose cover slips, slip, and
+  // those at x = 1 stick.
+  const Patch skin = patch(1);
+  auto samples = samples_of(1, 20, [](double, double) { return 1000.0; }, 2.0, 0.0);
+  for (auto& sample : samples) sample.slips = sample.xi < 0.2;
+  const auto shear = transfer_shear(skin.facets, transfer(skin.facets, skin.nodes.size(), skin.nodes, samples), samples);
+  for (std::size_t n = 0; n < skin.nodes.size(); ++n) EXPECT_EQ(shear.slip[n], skin.nodes[n].x() < 0.75 ? 2.0 : 1.0) << n;
+}
+
 TEST(SkinPressure, ForceWithoutAFacetIsReportedAsLost) {
   // A sample that faces no skin gives nothing to the nodes, and its force is named.
   const Patch skin = patch(2);

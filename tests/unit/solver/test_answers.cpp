@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "solver/stepping/load_path.hpp"
 #include "solver/stepping/newton.hpp"
 #include "tests/unit/solver/terms.hpp"
 
@@ -68,6 +69,84 @@ TEST(Answer, HasAnActiveSetAtRest) {
   EXPECT_FALSE(wrong.done(anything()));
 }
 
+// A vertex that the skin pulls counts by its pull over the mean pressure, also where all the others are pressed.
+TEST(Answer, HasNoTensionInContact) {
+  Wrong wrong;
+  const solver::Layout& layout = wrong.scene.layout();
+  for (int node = 0; node < layout.garment_nodes; ++node) wrong.state.values.segment<2>(layout.garment(node)) *= 0.98;  // all in the skin
+  wrong.state.values.tail(layout.multipliers).setConstant(5000.0);
+  wrong.state.values[layout.multiplier(3)] = -50.0;
+  wrong.look(), wrong.look();
+  const solver::Check found = solver::check(wrong.scene, wrong.state, anything());
+  ASSERT_EQ(found.measure.active, layout.multipliers);
+  EXPECT_NEAR(found.complementarity, 50.0 / (5000.0 - 5050.0 / layout.multipliers), 1e-12);
+}
+
+/// A tube without a garment whose upper cut is moved up by 1 mm.
+input::Case pulled() {
+  input::Case c = describe_tube(coarse());
+  c.garment.reset(), c.contact.reset();
+  c.support.push_back({.on = "upper", .x = {}, .y = {}, .z = 1e-3, .turn = 0.0, .where = {}});
+  return c;
+}
+
+// A body that balances is no answer while a support has not come to its place.
+TEST(Answer, HasItsSupportsInPlace) {
+  const input::Case c = pulled();
+  const solver::Meshes meshes = make_meshes(c);
+  solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, Skin::deformable);
+  solver::State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+  state.load = 1.0;
+  scene.update(state);
+  scene.assemble(state, solver::Tangent::full);
+  EXPECT_FALSE(solver::check(scene, state, anything()).done);
+  for (const int node : meshes.body.surface("upper")->nodes) state.values[scene.layout().body(node, 2)] += 1e-3;
+  EXPECT_TRUE(solver::check(scene, state, anything()).done);
+}
+
+// Supports go with the load: at half of it they are half way.
+TEST(Supports, MoveWithTheLoad) {
+  const input::Case c = pulled();
+  const solver::Meshes meshes = make_meshes(c);
+  int states = 0;
+  const auto keep = [&](double way, const postproc::RunResult& result) {
+    ++states;
+    for (const int node : meshes.body.surface("upper")->nodes) EXPECT_NEAR(result.body.displacement[node].z(), way * 1e-3, 1e-15);
+  };
+  EXPECT_EQ(solver::solve(c, meshes, {}, {2, keep}).status, "converged");
+  EXPECT_EQ(states, 3);
+}
+
+// Every stage ends in the scene that the case describes: the whole load, the body's own stiffness, friction's own bound.
+TEST(Stage, EndsInTheSceneOfTheCase) {
+  solver::State state;
+  state.load = 0.0, state.release = 0.0;
+  solver::tightening()(state, 1.0), solver::letting_go()(state, 1.0), solver::releasing(1000.0)(state, 1.0);
+  EXPECT_EQ(state.load, 1.0);
+  EXPECT_EQ(state.release, 1.0);
+  EXPECT_EQ(state.stiffening, 1.0);
+  solver::releasing(1000.0)(state, 0.0);
+  EXPECT_NEAR(state.stiffening, 1000.0, 1e-9);
+}
+
+// The body is put under the garment as it is: tight, sticking, with the tractions that hold it.
+TEST(Stage, TheBodyComesUnderTheGarmentAsItIs) {
+  input::Case c = describe_tube(coarse());
+  c.contact->friction = 0.3;
+  const solver::Meshes meshes = make_meshes(c);
+  const solver::Scene rigid = solver::make_scene(c, meshes.body, meshes.garment, Skin::rigid);
+  const solver::Scene soft = solver::make_scene(c, meshes.body, meshes.garment, Skin::deformable);
+  solver::State state = solver::placed_state(rigid.layout(), meshes.body, meshes.garment);
+  rigid.begin(state);
+  state.load = 0.9, state.release = 0.0;
+  state.traction = random_vector(state.traction.size(), 300.0, 1);
+  const solver::State moved = solver::transfer(state, rigid.layout(), soft.layout(), meshes.body);
+  EXPECT_EQ(moved.load, 0.9);
+  EXPECT_EQ(moved.release, 0.0);
+  EXPECT_EQ(moved.traction, state.traction);
+  EXPECT_EQ(moved.reference, moved.values);
+}
+
 /// A sleeve on a limb, given up as soon as its run is in the phase.
 postproc::RunResult stopped_in(const std::string& phase, double friction) {
   input::Case c = describe_tube(coarse());
@@ -129,20 +208,67 @@ Slipping slipping(const postproc::GarmentResult& garment) {
   return {share.corners / area, share.mixed / area};
 }
 
-// A point slips with the majority of what it stands between. A triangle with one slipping corner slips on a quarter of itself, with
-// two on three quarters; corners by thirds differ from this by a twelfth of the triangles between slip and stick.
-TEST(Slip, IsThatOfTheMajority) {
+/// A sleeve whose ends draw in until friction bears what the stretch of the hoop pulls along: some 15 N/m.
+postproc::RunResult drawn_in(double friction) {
   TubeCase tube = coarse();
   tube.tier = "L1", tube.cell_size = 0.012;
   tube.fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0.05";
   input::Case c = describe_tube(tube);
-  c.garment->held.clear();  // the ends draw in until friction bears what the hoop's stretch pulls along: some 50 N/m
-  c.contact->friction = 0.08;
-  const postproc::RunResult result = solver::solve(c, make_meshes(c));
+  c.garment->held.clear();
+  c.contact->friction = friction;
+  return solver::solve(c, make_meshes(c));
+}
+
+// A point slips with the majority of what it stands between. A triangle with one slipping corner slips on a quarter of itself, with
+// two on three quarters; corners by thirds differ from this by a twelfth of the triangles between slip and stick.
+TEST(Slip, IsThatOfTheMajority) {
+  const postproc::RunResult result = drawn_in(0.08);
   ASSERT_EQ(result.status, "converged") << result.message;
   const Slipping share = slipping(result.garment);
   ASSERT_GT(share.mixed, 0.1);
   EXPECT_NEAR(result.numbers.at("slipping_share_of_contact"), share.corners, share.mixed / 12.0);
+}
+
+// Where the garment slips its traction is the case's coefficient times the pressure, less what the directions of a vertex's triangles
+// differ by, and nowhere is it more.
+TEST(Slip, StandsAtTheBoundOfTheCase) {
+  const auto garment = drawn_in(0.08).garment;
+  int slips = 0;
+  for (const auto& t : garment.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const double bound = 0.08 * garment.contact_pressure[t[k]], traction = garment.shear_traction[t[k]].norm();
+      ASSERT_LE(traction, bound * (1.0 + 1e-6));
+      if (garment.slip[t[k]] != 2.0) continue;
+      ASSERT_GE(traction, 0.85 * bound);
+      ++slips;
+    }
+  EXPECT_GT(slips, 10);
+}
+
+// Force over length and pressure of a sleeve on a rigid tube, by hand: hoop stretch l = 1.25, tension c l (l^2 - 1) / 2, over the radius.
+TEST(Numbers, TensionAndPressureOnARigidTube) {
+  TubeCase tube = coarse();
+  tube.tier = "L1", tube.around = 16;
+  const postproc::RunResult result = run(tube);
+  const double tension = 1000.0 * 1.25 * (1.25 * 1.25 - 1.0) / 2.0;  // 351.6 N/m
+  for (const double found : result.garment.tension_weft) EXPECT_NEAR(found, tension, 0.01 * tension);
+  EXPECT_NEAR(result.numbers.at("mean_contact_pressure_Pa"), tension / tube.radius, 0.01 * tension / tube.radius);
+}
+
+// The mean pressure is the force over the area that touches: cloth that stands off is not counted.
+TEST(Numbers, TheMeanPressureIsOverWhatTouches) {
+  TubeCase tube = coarse();
+  tube.tier = "L1", tube.along = 4, tube.taper = 0.1, tube.sleeve = 0.0575;  // on a limb of 55 to 61 mm
+  const postproc::RunResult result = run(tube);
+  ASSERT_EQ(result.status, "converged") << result.message;
+  double force = 0.0, touching = 0.0, all = 0.0;
+  for (const auto& sample : result.samples) {
+    all += sample.area;
+    if (sample.touching) force += sample.force, touching += sample.area;
+  }
+  EXPECT_LT(touching, 0.8 * all);
+  EXPECT_NEAR(result.numbers.at("mean_contact_pressure_Pa"), force / touching, 1e-9 * force / touching);
+  EXPECT_NEAR(result.numbers.at("contact_area_m2"), touching, 1e-9 * touching);
 }
 
 }  // namespace
