@@ -36,11 +36,12 @@ struct Wrong {
 
   Wrong() : Wrong(describe_tube(coarse())) {}
   explicit Wrong(const input::Case& c)
-      : meshes(make_meshes(c)), scene(solver::make_scene(c, meshes.body, meshes.garment, Skin::deformable)),
-        state(solver::placed_state(scene.layout(), meshes.body, meshes.garment)) {
+      : meshes(make_meshes(c)), scene(tests::make_scene(c, meshes, Skin::deformable)),
+        state(solver::placed_state(scene.layout(), meshes)) {
     const solver::Layout& layout = scene.layout();
-    state.values.head(layout.pressure(0)) += random_vector(layout.pressure(0), 2e-5, 1);
-    state.values.tail(layout.multipliers) = Eigen::VectorXd::Constant(layout.multipliers, 5000.0) + random_vector(layout.multipliers, 5100.0, 2);
+    const int pressures = layout["contact"].count;
+    state.values.head(layout.positions()) += random_vector(layout.positions(), 2e-5, 1);
+    state.values.segment(layout["contact"](0), pressures) = Eigen::VectorXd::Constant(pressures, 5000.0) + random_vector(pressures, 5100.0, 2);
     look();
   }
   void look() {
@@ -73,19 +74,20 @@ TEST(Answer, HasAnActiveSetAtRest) {
 TEST(Answer, HasNoTensionInContact) {
   Wrong wrong;
   const solver::Layout& layout = wrong.scene.layout();
-  for (int node = 0; node < layout.garment_nodes; ++node) wrong.state.values.segment<2>(layout.garment(node)) *= 0.98;  // all in the skin
-  wrong.state.values.tail(layout.multipliers).setConstant(5000.0);
-  wrong.state.values[layout.multiplier(3)] = -50.0;
+  const solver::Field &garment = layout["garment"], &pressure = layout["contact"];
+  for (int node = 0; node < garment.count; ++node) wrong.state.values.segment<2>(garment(node)) *= 0.98;  // all in the skin
+  wrong.state.values.segment(pressure(0), pressure.count).setConstant(5000.0);
+  wrong.state.values[pressure(3)] = -50.0;
   wrong.look(), wrong.look();
   const solver::Check found = solver::check(wrong.scene, wrong.state, anything());
-  ASSERT_EQ(found.measure.active, layout.multipliers);
-  EXPECT_NEAR(found.complementarity, 50.0 / (5000.0 - 5050.0 / layout.multipliers), 1e-12);
+  ASSERT_EQ(found.measure.active, pressure.count);
+  EXPECT_NEAR(found.complementarity, 50.0 / (5000.0 - 5050.0 / pressure.count), 1e-12);
 }
 
 /// A tube without a garment whose upper cut is moved up by 1 mm.
 input::Case pulled() {
   input::Case c = describe_tube(coarse());
-  c.garment.reset(), c.contact.reset();
+  c.garments.clear(), c.contacts.clear();
   c.support.push_back({.on = "upper", .x = {}, .y = {}, .z = 1e-3, .turn = 0.0, .where = {}});
   return c;
 }
@@ -94,13 +96,13 @@ input::Case pulled() {
 TEST(Answer, HasItsSupportsInPlace) {
   const input::Case c = pulled();
   const solver::Meshes meshes = make_meshes(c);
-  solver::Scene scene = solver::make_scene(c, meshes.body, meshes.garment, Skin::deformable);
-  solver::State state = solver::placed_state(scene.layout(), meshes.body, meshes.garment);
+  solver::Scene scene = tests::make_scene(c, meshes, Skin::deformable);
+  solver::State state = solver::placed_state(scene.layout(), meshes);
   state.load = 1.0;
   scene.update(state);
   scene.assemble(state, solver::Tangent::full);
   EXPECT_FALSE(solver::check(scene, state, anything()).done);
-  for (const int node : meshes.body.surface("upper")->nodes) state.values[scene.layout().body(node, 2)] += 1e-3;
+  for (const int node : meshes.body.surface("upper")->nodes) state.values[scene.layout()["body"](node, 2)] += 1e-3;
   EXPECT_TRUE(solver::check(scene, state, anything()).done);
 }
 
@@ -113,7 +115,7 @@ TEST(Supports, MoveWithTheLoad) {
     ++states;
     for (const int node : meshes.body.surface("upper")->nodes) EXPECT_NEAR(result.body.displacement[node].z(), way * 1e-3, 1e-15);
   };
-  EXPECT_EQ(solver::solve(c, meshes, {}, {2, keep}).status, "converged");
+  EXPECT_EQ(solver::solve(solver::make_model(c, meshes.body), meshes, {}, {2, keep}).status, "converged");
   EXPECT_EQ(states, 3);
 }
 
@@ -132,27 +134,29 @@ TEST(Stage, EndsInTheSceneOfTheCase) {
 // The body is put under the garment as it is: tight, sticking, with the tractions that hold it.
 TEST(Stage, TheBodyComesUnderTheGarmentAsItIs) {
   input::Case c = describe_tube(coarse());
-  c.contact->friction = 0.3;
+  c.contacts.front().friction = 0.3;
   const solver::Meshes meshes = make_meshes(c);
-  const solver::Scene rigid = solver::make_scene(c, meshes.body, meshes.garment, Skin::rigid);
-  const solver::Scene soft = solver::make_scene(c, meshes.body, meshes.garment, Skin::deformable);
-  solver::State state = solver::placed_state(rigid.layout(), meshes.body, meshes.garment);
-  rigid.begin(state);
+  const solver::Scene rigid = tests::make_scene(c, meshes, Skin::rigid);
+  const solver::Scene soft = tests::make_scene(c, meshes, Skin::deformable);
+  solver::State state = solver::placed_state(rigid.layout(), meshes);
+  rigid.look(state);
+  rigid.commit(state);
   state.load = 0.9, state.release = 0.0;
-  state.traction = random_vector(state.traction.size(), 300.0, 1);
-  const solver::State moved = solver::transfer(state, rigid.layout(), soft.layout(), meshes.body);
+  auto& tractions = state.history.edit<solver::FrictionHistory>("friction").traction;
+  tractions = random_vector(tractions.size(), 300.0, 1);
+  const solver::State moved = soft.transfer(state, rigid.layout(), solver::placed_state(soft.layout(), meshes));
   EXPECT_EQ(moved.load, 0.9);
   EXPECT_EQ(moved.release, 0.0);
-  EXPECT_EQ(moved.traction, state.traction);
-  EXPECT_EQ(moved.reference, moved.values);
+  EXPECT_EQ(moved.history.get<solver::FrictionHistory>("friction").traction, tractions);
 }
 
 /// A sleeve on a limb, given up as soon as its run is in the phase.
 postproc::RunResult stopped_in(const std::string& phase, double friction) {
   input::Case c = describe_tube(coarse());
-  c.contact->friction = friction;
+  c.contacts.front().friction = friction;
+  const solver::Meshes meshes = make_meshes(c);
   bool there = false;
-  return solver::solve(c, make_meshes(c), [&](const solver::Progress& now) { there = there || now.phase.starts_with(phase); }, {},
+  return solver::solve(solver::make_model(c, meshes.body), meshes, [&](const solver::Progress& now) { there = there || now.phase.starts_with(phase); }, {},
                        [&] { return there; });
 }
 
@@ -214,9 +218,9 @@ postproc::RunResult drawn_in(double friction) {
   tube.tier = "L1", tube.cell_size = 0.012;
   tube.fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0.05";
   input::Case c = describe_tube(tube);
-  c.garment->held.clear();
-  c.contact->friction = friction;
-  return solver::solve(c, make_meshes(c));
+  c.garments.front().held.clear();
+  c.contacts.front().friction = friction;
+  return tests::solve(c, make_meshes(c));
 }
 
 // A point slips with the majority of what it stands between. A triangle with one slipping corner slips on a quarter of itself, with

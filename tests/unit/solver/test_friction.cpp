@@ -259,11 +259,12 @@ TEST(Friction, IsThatOfTheCaseElseOfTheFabricElseTheUsualOne) {
 TEST(Friction, ATractionKeepsItsSizeWhereTheSkinTurns) {
   Rubbed r(Skin::rigid, sticking);
   r.state.release = 0.0;
-  r.state.reference = r.state.values;
   r.friction().renew(r.state);
   r.update();
+  auto& history = r.state.history.edit<solver::FrictionHistory>("friction");
+  history.anchor = r.state.values;
   const auto energy = [&](const Eigen::Vector3d& direction) {  // the square of the tractions over the stiffness
-    for (Eigen::Index i = 0; i < r.state.traction.size(); i += 3) r.state.traction.segment<3>(i) = 300.0 * direction;
+    for (Eigen::Index i = 0; i < history.traction.size(); i += 3) history.traction.segment<3>(i) = 300.0 * direction;
     return r.friction().energy(r.state);
   };
   const double along = energy(Eigen::Vector3d::UnitZ());
@@ -279,7 +280,7 @@ TEST(Friction, HistoryKeepsTheBound) {
   r.update();
   const auto vertices = r.friction().vertex_tractions(r.state);
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    EXPECT_LE(vertices[i].traction.norm(), 1.01 * 0.3 * r.state.values[r.scene.layout().multiplier(static_cast<int>(i))]);
+    EXPECT_LE(vertices[i].traction.norm(), 1.01 * 0.3 * r.state.values[r.scene.layout()["contact"](static_cast<int>(i))]);
 }
 
 TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
