@@ -53,8 +53,10 @@ class ShellConversion {
     if (corners == 3) return add_triangle(e, {corner[0], corner[1], corner[2]});
     // The middle of the cut lies where the quadrilateral has it (serendipity or bilinear), on the shorter diagonal.
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-    for (int c = 0; c < 4; ++c)
-      centre += 0.5 * mesh_.nodes[nodes_.middle(corner[c], corner[(c + 1) % 4])] - 0.25 * mesh_.nodes[corner[c]];
+    for (int c = 0; c < 4; ++c) {
+      const int middle = nodes_.middle(corner[c], corner[(c + 1) % 4]);  // before the nodes are looked at: it may add one
+      centre += 0.5 * mesh_.nodes[middle] - 0.25 * mesh_.nodes[corner[c]];
+    }
     const auto distance = [&](int a, int b) { return (mesh_.nodes[corner[a]] - mesh_.nodes[corner[b]]).norm(); };
     const int first = distance(0, 2) <= distance(1, 3) * (1.0 + 1e-9) ? 0 : 1;
     const auto at = [&](int c) { return corner[(first + c) % 4]; };

@@ -97,6 +97,9 @@ class Run {
     result_.status = "converged";
   }
 
+  /// The user wants no more: no other way is looked for, and nothing is said of what there might be.
+  bool stopped() const { return stop_ && stop_(); }
+
   PathSettings settings(Skin skin) const {
     PathSettings path;
     path.newton.stop = stop_;
@@ -191,7 +194,7 @@ class Run {
                                   log_.sink("rigid skin"));
     const bool complete = accept(rigid, path, "rigid skin");
     rigid.drop_matrix();  // the body needs the memory
-    if (!complete && !model_.slides_freely()) return limit_of_small_friction();
+    if (!complete && !model_.slides_freely() && !stopped()) return limit_of_small_friction();
     if (complete && model_.deformable() && !stray(rigid, path.state)) return release_body(rigid, path.state);
     fill_result(rigid, path.state, model_, meshes_, result_);
     if (complete) name_sliding();
@@ -256,7 +259,7 @@ class Run {
     const PathResult path = follow_path(scene, sticking, letting_go(), way, log_.sink("let go"));
     const bool holds = accept(scene, path, "letting go");
     if (holds && vanishing) return without_any(scene, path.state, skin);
-    if (!holds) name_coefficient(path.state), name_slipping(net);
+    if (!holds && !stopped()) name_coefficient(path.state), name_slipping(net);
     fill_result(scene, path.state, model_, meshes_, result_);
     log_.phase("results");
   }
@@ -317,7 +320,7 @@ class Run {
     PathSettings path = settings(Skin::deformable);
     if (!model_.slides_freely()) path = with_another_way(path);
     const PathResult released = release(scene, start, give, path);
-    if (!accept(scene, released, "body") && !model_.slides_freely()) return limit_of_small_friction();
+    if (!accept(scene, released, "body") && !model_.slides_freely() && !stopped()) return limit_of_small_friction();
     finish_on_body(scene, released, rigid, on_rigid);
   }
 

@@ -59,6 +59,15 @@ TEST_F(Program, CheckSolvesAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_ / "mine" / "out"));
 }
 
+TEST_F(Program, ARunThatDoesNotConvergeIsStatus3) {
+  // A sleeve that nothing holds on a thigh that tapers has no equilibrium without friction: the run says so, keeps it as failed and ends with 3.
+  ASSERT_EQ(snug("new mine").status, 0);
+  const Outcome outcome = snug("run mine --quiet --no-report --tier L1 --set body.cells_around=8 --set body.cells_along=2 --set contact.friction=0");
+  EXPECT_EQ(outcome.status, 3) << outcome.text;
+  EXPECT_NE(outcome.text.find("no equilibrium"), std::string::npos) << outcome.text;
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(folder_ / "mine/out/summary.json")).at("status"), "failed");
+}
+
 TEST_F(Program, RunReplacesItsOwnResultsOnly) {
   // Results are replaced by the next run, and nothing else beside them; a directory that holds something else is not touched.
   ASSERT_EQ(snug("new mine --like limb-alone").status, 0);

@@ -87,6 +87,15 @@ TEST(Reader, AllErrorsComeTogether) {
   EXPECT_THROW(diagnostics.throw_if_any(), InputError);
 }
 
+TEST(Reader, AnOpenBoundIsNotReached) {
+  // A thickness of nothing and a ratio of one half lie on open bounds and are refused; a ratio of 0 and one cell lie on closed ones.
+  EXPECT_NE(only_error("thickness = \"0 mm\"").find("it must be greater than 0 m"), std::string::npos);
+  EXPECT_NE(only_error("thickness = \"1 mm\"\nratio = 0.5").find("less than 0.5"), std::string::npos);
+  Diagnostics diagnostics;
+  EXPECT_EQ(read_part("thickness = \"1 mm\"\nratio = 0\ncells = 1", diagnostics).ratio, 0.0);
+  EXPECT_FALSE(diagnostics.any());
+}
+
 TEST(Reader, BoundIsNamedInSi) {
   // A number outside its bound is refused with the bound.
   EXPECT_EQ(only_error("thickness = \"0 mm\""), "case.toml:1:13: error: thickness is 0 m; it must be greater than 0 m");

@@ -78,6 +78,13 @@ TEST_F(CsvFile, ColumnsArriveInSi) {
   EXPECT_FALSE(diagnostics_.any());
 }
 
+TEST_F(CsvFile, NumbersAreWhole) {
+  // A unit or anything else behind the number of a cell is an error and not left out.
+  const Csv csv = read("girth [mm]\n500 mm\n5x\n5;1\n0x10\n");
+  numbers(csv, "girth", "m", diagnostics_);
+  EXPECT_EQ(diagnostics_.errors().size(), 4u);
+}
+
 TEST_F(CsvFile, ErrorsAreAtTheirCells) {
   // Missing columns, units, numbers and cells are errors at line and column of the file.
   const Csv csv = read("height, girth [kPa]\n1, nan\n2\n3, x\n");

@@ -80,6 +80,23 @@ TEST(Grid, BodyFieldsComeBackThroughVtksReader) {
   EXPECT_EQ(const_cast<vtkStringArray*>(names)->GetValue(1), "Side thigh");
 }
 
+TEST(Grid, EveryComponentStandsInItsPlace) {
+  // x, y and z of a vector and the six stresses come back in their order, each node's its own.
+  BodyResult body = body_scene();
+  for (std::size_t n = 0; n < body.nodes.size(); ++n) {
+    body.displacement[n] = {1.0 + n, 100.0 + n, 200.0 + n};
+    for (int c = 0; c < 6; ++c) body.cauchy_stress[n][c] = 1000.0 * (c + 1) + n;
+  }
+  const auto file = fresh_folder("components") / "body.vtu";
+  write_body(body, {}, file);
+  const auto grid = read(file);
+  for (vtkIdType n = 0; n < 45; ++n) {
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("displacement")->GetComponent(n, c), body.displacement[n][c]);
+    for (int c = 0; c < 6; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("cauchy_stress")->GetComponent(n, c), body.cauchy_stress[n][c]);
+  }
+  EXPECT_STREQ(grid->GetPointData()->GetArray("displacement")->GetComponentName(0), "X");
+}
+
 TEST(Grid, HexahedraHaveVtksNodeOrder) {
   // VTK's shape functions at the parametric place of tensor node (i, j, k) give that node, for all 27.
   const BodyResult body = body_scene();

@@ -121,6 +121,20 @@ TEST(Hems, TheStripIsACellOrAFixedShareOfTheEdge) {
   }
 }
 
+// Every point within the strip is the edge's, also where the strip is wider than a cell, and none beside it.
+TEST(Hems, PointsWithinTheStripAreTheEdges) {
+  RunResult run = worn(24, 12, 4, 0.0);
+  keep_hems_apart(0.005, run);
+  ASSERT_GT(run.hems[0].strip, 2.0 * run.hems[0].reach);
+  int in_strip = 0;
+  for (const ContactSample& sample : run.samples) {
+    const double from_lower = sample.at.z() - low, from_upper = high - sample.at.z();
+    EXPECT_EQ(sample.hem, from_lower < run.hems[0].strip ? 0 : from_upper < run.hems[1].strip ? 1 : -1);
+    in_strip += sample.hem >= 0;
+  }
+  EXPECT_GT(in_strip, 0);
+}
+
 // Pressures of a location are those beside the hems, and say so; where all of its cover is a hem they are the hem's, and say that.
 TEST(Hems, LocationsLeaveThemOut) {
   RunResult run = worn(24, 12, 8, 50.0);

@@ -120,6 +120,27 @@ TEST(Sensation, WrongTablesAreErrorsWithFileAndRemedy) {
   EXPECT_THROW(load("wear trial 1999"), input::InputError);
 }
 
+TEST(Sensation, TheErrorOfARatingIsThatOfOneMorePerson) {
+  // Scatter times sqrt(1 + 1/n + (p - mean)^2 / sum of squares): that person's own scatter is in it beside that of the line.
+  SensationCurve curve;
+  curve.shape = Line{0.5, 1e-3};
+  curve.scatter = 0.4, curve.points = 10, curve.mean_pressure = 1000.0, curve.pressure_squares = 4e6;
+  curve.low = 0.0, curve.high = 3000.0;
+  EXPECT_NEAR(rate(curve, 2000.0).error, 0.4 * std::sqrt(1.0 + 0.1 + 0.25), 1e-12);
+  EXPECT_EQ(rate(curve, 2000.0).degrees, 8);
+}
+
+TEST(Bands, HoldTheirEnds) {
+  // A pressure at either end of a band is in it; beside it, it is between the bands.
+  SensationCurves data;
+  data.bands = {{"", "one", 10.0, 20.0}, {"", "two", 30.0, 40.0}};
+  for (const double inside : {10.0, 20.0}) EXPECT_EQ(verdict(data, "Calf", inside), "one");
+  for (const double inside : {30.0, 40.0}) EXPECT_EQ(verdict(data, "Calf", inside), "two");
+  EXPECT_EQ(verdict(data, "Calf", 9.9), "below one");
+  EXPECT_EQ(verdict(data, "Calf", 20.1), "between one and two");
+  EXPECT_EQ(verdict(data, "Calf", 40.1), "above two");
+}
+
 TEST(Score, ReadsPressuresInThreeUnitsAndRefusesALocationTwice) {
   // 1 gf/cm2 read in any of the three columns is 98.0665 Pa; a doubled location is an error.
   EXPECT_DOUBLE_EQ(read_pressures(written("e.csv", "location,pressure_gf_per_cm2\nChest,1\n"))[0].pressure, 98.0665);

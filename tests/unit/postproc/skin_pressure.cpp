@@ -167,6 +167,16 @@ TEST(SkinPressure, SweepsStayBoundedOnAHemThatCutsFacets) {
   }
 }
 
+TEST(SkinPressure, NoNodeIsPulled) {
+  // Cloth pushes or does nothing: where a pressure that ends within its cover makes the sweeps swing below zero, the answer is zero,
+  // and the force that goes with it is named.
+  const Patch skin = patch(6);
+  const auto samples = samples_of(6, 4, [](double x, double) { return x < 0.45 ? 3000.0 : 0.0; });
+  const auto result = transfer(skin.facets, skin.nodes.size(), skin.nodes, samples, 5);
+  for (const double pressure : result.pressure) EXPECT_GE(pressure, 0.0);
+  EXPECT_LT(result.lost_force, -1e-3 * total_force(samples));
+}
+
 TEST(SkinShear, ObeysTheSamplesBoundAndIsExactWhereTheyMobiliseFrictionEvenly) {
   // Steep pressure, hem across the facets: where every sample slips one way, the nodes carry mu p that way; where samples
   // stick or slip differently, no node exceeds mu p.
@@ -185,6 +195,16 @@ TEST(SkinShear, ObeysTheSamplesBoundAndIsExactWhereTheyMobiliseFrictionEvenly) {
   const auto mixed = transfer_shear(skin.facets, normal, samples);
   for (std::size_t n = 0; n < skin.nodes.size(); ++n)
     EXPECT_LE(mixed.traction[n].norm(), (1.0 + 1e-12) * mu * normal.pressure[n]);
+}
+
+TEST(SkinShear, ANodeSlipsWithTheMajorityOfItsCover) {
+  // On one facet whose points slip where x < 0.6: the nodes at x = 0 and in the middle, three fifths of whose cover slips, slip, and
+  // those at x = 1 stick.
+  const Patch skin = patch(1);
+  auto samples = samples_of(1, 20, [](double, double) { return 1000.0; }, 2.0, 0.0);
+  for (auto& sample : samples) sample.slips = sample.xi < 0.2;
+  const auto shear = transfer_shear(skin.facets, transfer(skin.facets, skin.nodes.size(), skin.nodes, samples), samples);
+  for (std::size_t n = 0; n < skin.nodes.size(); ++n) EXPECT_EQ(shear.slip[n], skin.nodes[n].x() < 0.75 ? 2.0 : 1.0) << n;
 }
 
 TEST(SkinPressure, ForceWithoutAFacetIsReportedAsLost) {

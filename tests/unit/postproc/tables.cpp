@@ -141,6 +141,20 @@ TEST(Evaluate, MeanIsWeightedByCoveredArea) {
   EXPECT_EQ(evaluation.comfort->memberships.size(), 1u);
 }
 
+TEST(Evaluate, MeanIsWeightedByTheCoveredPartOfEachArea) {
+  // Nodes that are covered in part weigh by that part: row j = 0 at 100 Pa by 0.4 of a quarter, row 1 at 300 Pa by 0.9 of a half, row
+  // 2 at 200 Pa whole.
+  RunResult run = run_scene();
+  run.body.displacement.assign(45, Eigen::Vector3d::Zero());
+  for (std::size_t n = 30; n < 45; ++n) {
+    run.body.contact_pressure[n] = n < 35 ? 100 : n < 40 ? 300 : 200;
+    run.body.coverage[n] = n < 35 ? 0.4 : n < 40 ? 0.9 : 1.0;
+  }
+  const LocationRow front = evaluate(run, std::nullopt).locations[0];
+  EXPECT_NEAR(front.coverage, 0.1 + 0.45 + 0.25, 1e-9);
+  EXPECT_NEAR(front.mean_pressure, (0.1 * 100 + 0.45 * 300 + 0.25 * 200) / 0.8, 1e-6);
+}
+
 TEST(Evaluate, WithoutAComfortSectionNothingIsRated) {
   // Pressures are still given by location.
   const Evaluation evaluation = evaluate(run_scene(), std::nullopt);

@@ -257,6 +257,34 @@ TEST(Friction, IsThatOfTheCaseElseOfTheFabricElseTheUsualOne) {
   EXPECT_FALSE(solver::make_model(c).has_friction());
 }
 
+/// A traction that has come along a tube is turned into the plane where it is and keeps its size: round the tube as along it.
+TEST(Friction, ATractionKeepsItsSizeWhereTheSkinTurns) {
+  Rubbed r(Skin::rigid, sticking);
+  r.state.release = 0.0;
+  r.friction().renew(r.state);
+  r.update();
+  auto& history = r.state.history.edit<solver::FrictionHistory>("friction");
+  history.anchor = r.state.values;
+  const auto energy = [&](const Eigen::Vector3d& direction) {  // the square of the tractions over the stiffness
+    for (Eigen::Index i = 0; i < history.traction.size(); i += 3) history.traction.segment<3>(i) = 300.0 * direction;
+    return r.friction().energy(r.state);
+  };
+  const double along = energy(Eigen::Vector3d::UnitZ());
+  EXPECT_GT(along, 0.0);
+  EXPECT_NEAR(energy(Eigen::Vector3d::UnitX()), along, 0.01 * along);
+}
+
+/// What slipped is remembered at its bound, not at what it would have been without one.
+TEST(Friction, HistoryKeepsTheBound) {
+  Rubbed r(Skin::rigid, slipping);
+  r.scene.commit(r.state);
+  r.state.release = 0.01;  // the bound is now a hundred times as large
+  r.update();
+  const auto vertices = r.friction().vertex_tractions(r.state);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    EXPECT_LE(vertices[i].traction.norm(), 1.01 * 0.3 * r.state.values[r.scene.layout()["contact"](static_cast<int>(i))]);
+}
+
 TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   const input::Case c = Rubbed::describe(0.0);
   const solver::Meshes meshes = make_meshes(c);
