@@ -13,6 +13,7 @@ using Path = std::filesystem::path;
 
 bool always(const Record&) { return true; }
 bool has_body(const Record& record) { return !record.run.body.skin_facets.empty() || !record.run.body.cells.empty(); }
+bool has_skin(const Record& record) { return !record.run.body.skin_facets.empty(); }
 bool has_stress(const Record& record) { return !record.run.body.cauchy_stress.empty(); }
 bool has_displacement(const Record& record) { return !record.run.body.displacement.empty(); }
 bool has_garment(const Record& record) { return !record.run.garment.triangles.empty(); }
@@ -78,7 +79,7 @@ const std::vector<Recorder>& recorders() {
       {garment_grid, has_garment, garment_vtu}, {"garment.pvd", has_garment, garment_pvd},
       {"nodes.lis", has_body, nodes},           {"displacement.lis", has_displacement, displacements},
       {"stress.lis", has_stress, stresses},     {"locations.csv", has_locations, locations},
-      {"skin.csv", has_body, skin},
+      {"skin.csv", has_skin, skin},
       {"comfort.json", has_comfort, comfort},   {"history.csv", always, history},
       {"summary.json", always, summary},
   };

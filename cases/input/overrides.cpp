@@ -48,6 +48,7 @@ Value* entry_of(std::vector<Value>& items, const std::string& step) {
 Value* descend(Value& from, const std::string& step, const Location& where, Diagnostics& diagnostics) {
   if (auto* items = std::get_if<std::vector<Value>>(&from.data)) {
     if (Value* entry = entry_of(*items, step)) return entry;
+    if (items->size() == 1 && items->front().table()) return descend(items->front(), step, where, diagnostics);  // the only one needs no name
     diagnostics.error(where, "the list has no entry " + step, "there are: " + joined(entry_names(*items)));
     return nullptr;
   }

@@ -51,7 +51,11 @@ std::string balance_text(const postproc::RunResult& run) {
   for (const auto& [name, reaction] : balance.reactions)
     text += fmt::format("  reaction           {}: {:.3g} {:.3g} {:.3g} N (x y z)\n", name, reaction.x(), reaction.y(),
                         reaction.z());
-  if (balance.friction_force > 0.0)
+  for (const postproc::SurfaceContact& contact : run.surface_contacts)
+    text += fmt::format("  {:<18} {:.4g} N between {} and {} over {:.4g} cm2, at most {:.4g} Pa{}\n", contact.name, contact.force, contact.slave,
+                        contact.master, 1e4 * contact.area, contact.largest_pressure,
+                        contact.friction_force > 0.0 ? fmt::format("; friction {:.4g} N", contact.friction_force) : "");
+  if (balance.friction_force > 0.0 && run.numbers.contains("max_shear_traction_Pa"))
     text += fmt::format("  friction           {:.3g} N (sum of the points' tangential forces), at most {:.3g} Pa, {:.0f} % of the contact slips\n",
                         balance.friction_force, run.numbers.at("max_shear_traction_Pa"),
                         100.0 * run.numbers.at("slipping_share_of_contact"));
