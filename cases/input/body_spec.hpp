@@ -49,7 +49,8 @@ struct LayerSpec {
   }
 };
 
-/// A named patch of skin: sector of angle round the axis and range of height. Angle 0 = side (+x), 90 deg = front (+y).
+/// A named patch of skin: sector of angle and range of height. Angles count round the centroid of the section's area at the
+/// point's own height, on every kind of body: 0 = side (+x), 90 deg = front (+y).
 struct LocationSpec {
   std::string name;                                              ///< key of the sensation curve, e.g. "Front thigh"
   double from_angle = std::numeric_limits<double>::quiet_NaN();  ///< rad; NaN until it is given
@@ -65,7 +66,7 @@ struct LocationSpec {
           self.name);
     field(Field{.key = "from_angle",
                 .unit = "rad",
-                .meaning = "begin of the sector; 0 deg = side (+x), 90 deg = front (+y)",
+                .meaning = "begin of the sector, round the middle of the section at each height; 0 deg = side (+x), 90 deg = front (+y)",
                 .required = true,
                 .bound = between(-7, 7)},
           self.from_angle);

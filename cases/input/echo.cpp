@@ -28,16 +28,17 @@ std::optional<Value> Echo::value_of(const Field&, const std::filesystem::path& m
   return value_without_place((inside ? relative : std::filesystem::absolute(member)).generic_string());
 }
 
-std::optional<Value> Echo::value_of(const Field&, const MaterialReference& member) const {
+std::optional<Value> Echo::value_of(const Field& field, const MaterialReference& member) const {
+  if (write_out_)
+    if (std::optional<Table> written = write_out_(field, member)) return value_without_place(std::move(*written));
   if (!member.name.empty()) return value_without_place(member.name);
-  if (member.table.empty()) return std::nullopt;
-  Diagnostics ignored;  // the text was parsed before
-  return value_without_place(parse_text(member.table, member.where, ignored));
+  if (!member.is_inline()) return std::nullopt;
+  return value_without_place(member.table);
 }
 
-std::string echo_text(const Case& description) {
+std::string echo_text(const Case& description, const WriteOut& write_out) {
   return "# The values used, in SI, with defaults filled in.\n" +
-         to_toml(to_table(description, description.directory.lexically_normal()));
+         to_toml(to_table(description, description.directory.lexically_normal(), write_out));
 }
 
 }  // namespace snug::input

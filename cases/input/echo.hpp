@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,9 +15,13 @@
 namespace snug::input {
 
 /// Visitor over one `describe`: collects the members as TOML values.
+/// Writes what a material reference means out as a table; what it does not know stays a name or the table as it stands.
+using WriteOut = std::function<std::optional<Table>(const Field&, const MaterialReference&)>;
+
 class Echo {
  public:
-  explicit Echo(std::filesystem::path directory) : directory_(std::move(directory)) {}
+  explicit Echo(std::filesystem::path directory, WriteOut write_out = {})
+      : directory_(std::move(directory)), write_out_(std::move(write_out)) {}
 
   template <class Member>
   void operator()(const Field& field, const Member& member) {
@@ -56,24 +61,25 @@ class Echo {
   }
   template <class T>
   std::optional<Value> value_of(const Field&, const T& member) const {
-    Echo inner(directory_);
+    Echo inner(directory_, write_out_);
     T::describe(member, inner);
     return value_without_place(std::move(inner).table());
   }
 
   std::filesystem::path directory_;
+  WriteOut write_out_;
   Table table_;
 };
 
 /// The values of `object`; paths inside `directory` are given relative to it.
 template <class T>
-Table to_table(const T& object, const std::filesystem::path& directory = {}) {
-  Echo echo(directory);
+Table to_table(const T& object, const std::filesystem::path& directory = {}, const WriteOut& write_out = {}) {
+  Echo echo(directory, write_out);
   T::describe(object, echo);
   return std::move(echo).table();
 }
 
 /// Text of case.echo.toml.
-std::string echo_text(const Case& description);
+std::string echo_text(const Case& description, const WriteOut& write_out = {});
 
 }  // namespace snug::input

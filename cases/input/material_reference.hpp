@@ -3,16 +3,18 @@
 
 #include <string>
 
-#include "cases/input/diagnostics.hpp"
+#include "cases/input/table.hpp"
 
 namespace snug::input {
 
 /// A material or fabric that a case names: an entry of the shipped data, or a table of its own values.
-/// The law's own `describe` reads `table` (text of an inline TOML table, kept with its place) later, in its room.
+/// The law's own `describe` reads `table` later, in its room; every value of it keeps its place.
 struct MaterialReference {
-  std::string name;   ///< database entry, e.g. "N85L15", "relaxed calf", "rigid"
-  std::string table;  ///< inline values as TOML text; empty when `name` is used
-  Location where;     ///< of the name or of the table: parse_text(table, where) gives errors at their own places
+  std::string name;     ///< database entry, e.g. "N85L15", "relaxed calf", "rigid"
+  Table table = {};     ///< inline values; empty when `name` is used
+  Location where = {};  ///< of the name or of the table
+
+  bool is_inline() const { return !table.entries.empty(); }
 };
 
 }  // namespace snug::input

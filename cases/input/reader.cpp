@@ -133,7 +133,7 @@ void Reader::convert(const Field& field, const Value& value, MaterialReference& 
   if (value.text() && !value.text()->empty()) {
     member.name = *value.text();
   } else if (const Table* table = value.table(); table && !table->entries.empty()) {
-    member.table = placed_text(*table);
+    member.table = *table;
   } else {
     diagnostics_.error(value.where, field.key + " is " + value.description(),
                        "give the name of an entry (snug materials list) or a table of values");

@@ -1,8 +1,7 @@
 // Reads a described struct from a TOML table:
 //
 //   Diagnostics diagnostics;
-//   Table table = parse_text(reference.table, reference.where, diagnostics);
-//   auto law = read<NeoHooke>(table, diagnostics, {.also_known = {"law", "source"}});
+//   auto law = read<NeoHooke>(reference.table, diagnostics, {.also_known = {"law", "source"}});
 //   diagnostics.throw_if_any();
 //
 // Every error has its place and remedy: unknown keys with the nearest known one, missing keys, bare numbers, wrong

@@ -272,4 +272,11 @@ Table parse_text(const std::string& text, const Location& base, Diagnostics& dia
   return inner ? *inner : empty_table(base);
 }
 
+Table table_of(const std::string& text, const Location& base) {
+  Diagnostics diagnostics;
+  Table table = parse_text(text, base, diagnostics);
+  diagnostics.throw_if_any();
+  return table;
+}
+
 }  // namespace snug::input

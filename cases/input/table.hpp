@@ -65,13 +65,12 @@ struct Entry {
 /// (the path itself when empty).
 Table parse_file(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as = {});
 
-/// Reads TOML text, either "key = value" lines or one inline table "{ ... }", that stands at `base` in a file:
-/// MaterialReference::table with MaterialReference::where gives errors at their places in case.toml.
+/// Reads TOML text, either "key = value" lines or one inline table "{ ... }", that stands at `base` in a file.
 /// With base.line = 0 every location is `base` itself.
 Table parse_text(const std::string& text, const Location& base, Diagnostics& diagnostics);
 
-/// TOML text whose entries stand at the same places (relative to table.where) as in the file they were read from.
-std::string placed_text(const Table& table);
+/// The same of text that is known to be right, for values that stand in no file. Throws InputError.
+Table table_of(const std::string& text, const Location& base = {});
 
 /// TOML text with [section] headers.
 std::string to_toml(const Table& table);

@@ -98,26 +98,6 @@ std::string on_one_line(const Table& table) {
   return text + "}";
 }
 
-std::string on_many_lines(const Table& table) {
-  std::string text, line;
-  int at = table.where.line;
-  for (const Entry& entry : table.entries) {
-    if (!line.empty()) {
-      text += line + "\n";
-      line.clear();
-      ++at;
-    }
-    for (; at < entry.where.line; ++at) text += "\n";
-    // the text's first line begins at the table's own column
-    const int shift = at == table.where.line ? table.where.column : 1;
-    pad(line, entry.where.column - shift);
-    line += key_text(entry.key) + "=";
-    pad(line, entry.value.where.column - shift);
-    line += inline_text(entry.value);
-  }
-  return text + line + "\n";
-}
-
 }  // namespace
 
 std::string Value::description() const {
@@ -127,12 +107,6 @@ std::string Value::description() const {
   if (std::holds_alternative<bool>(data)) return inline_text(*this);
   if (std::holds_alternative<std::monostate>(data)) return "a date";
   return "the bare number " + inline_text(*this);
-}
-
-std::string placed_text(const Table& table) {
-  const bool one_line = std::all_of(table.entries.begin(), table.entries.end(),
-                                    [&](const Entry& entry) { return entry.where.line == table.where.line; });
-  return one_line ? on_one_line(table) : on_many_lines(table);
 }
 
 std::string to_toml(const Table& table) {

@@ -1,3 +1,4 @@
+#include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
 #include "materials/database/shipped.hpp"
 #include "materials/fabric/inputs.hpp"
@@ -5,7 +6,11 @@
 namespace snug::materials {
 namespace {
 
-constexpr const char* file = "materials/data/fabrics.toml";
+// Parsed once: it never changes.
+const input::Table& shipped() {
+  static const input::Table all = input::table_of(shipped_fabrics, {"materials/data/fabrics.toml", 1, 1});
+  return all;
+}
 
 void check(const KesTension& tension, const input::Location& where, input::Diagnostics& diagnostics) {
   if (tension.Fm.has_value() == tension.EMT.has_value())
@@ -40,13 +45,23 @@ Fabric read_fabric(const input::Table& table) {
 }  // namespace
 
 Fabric find_fabric(const input::MaterialReference& reference) {
-  const Entry entry = find_entry(reference, shipped_fabrics, file, "fabric");
+  const Entry entry = find_entry(reference, shipped(), "fabric");
   Fabric fabric = read_fabric(entry.table);
   fabric.name = entry.name;
   fabric.source = entry.provenance.text();
   return fabric;
 }
 
-std::vector<std::string> fabric_names() { return entry_names(shipped_fabrics); }
+input::Table written_out_fabric(const input::MaterialReference& reference) {
+  const Entry entry = find_entry(reference, shipped(), "fabric");
+  input::Diagnostics diagnostics;
+  const std::string law = input::read_choice(entry.table, "law", {"linear", "cubic", "kes"}, diagnostics);
+  const auto in_si = [&]<class Form>(Form) {
+    return input::to_table(input::read<Form>(entry.table, diagnostics, {.also_known = common_keys()}));
+  };
+  return written_out(entry, law == "linear" ? in_si(LinearFabric{}) : law == "cubic" ? in_si(CubicFabric{}) : in_si(KesFabric{}), {});
+}
+
+std::vector<std::string> fabric_names() { return shipped().keys(); }
 
 }  // namespace snug::materials

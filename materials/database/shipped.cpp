@@ -1,17 +1,11 @@
 #include "materials/database/shipped.hpp"
 
+#include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
 #include "cases/input/suggestion.hpp"
 
 namespace snug::materials {
 namespace {
-
-input::Table parse(const char* shipped, const std::string& file) {
-  input::Diagnostics diagnostics;
-  input::Table table = input::parse_text(shipped, {file, 1, 1}, diagnostics);
-  diagnostics.throw_if_any();
-  return table;
-}
 
 Entry with_provenance(std::string name, const input::Table& table) {
   input::Diagnostics diagnostics;
@@ -28,22 +22,28 @@ std::string Provenance::text() const {
   return line;
 }
 
-Entry find_entry(const input::MaterialReference& reference, const char* shipped, const std::string& file,
-                 const std::string& what) {
-  if (!reference.table.empty()) {
-    input::Diagnostics diagnostics;
-    const input::Table table = input::parse_text(reference.table, reference.where, diagnostics);
-    diagnostics.throw_if_any();
-    Entry entry = with_provenance("own values", table);
+Entry find_entry(const input::MaterialReference& reference, const input::Table& shipped, const std::string& what) {
+  if (reference.is_inline()) {
+    Entry entry = with_provenance("own values", reference.table);
+    if (!entry.provenance.name.empty()) entry.name = entry.provenance.name;
     if (entry.provenance.source.empty()) entry.provenance.source = "values of the case";
     return entry;
   }
-  const input::Table all = parse(shipped, file);
-  if (const input::Table* table = all.table(reference.name)) return with_provenance(reference.name, *table);
+  if (const input::Table* table = shipped.table(reference.name)) return with_provenance(reference.name, *table);
   throw input::InputError(reference.where, "no " + what + " is called \"" + reference.name + "\"",
-                          input::did_you_mean(reference.name, all.keys()));
+                          input::did_you_mean(reference.name, shipped.keys()));
 }
 
-std::vector<std::string> entry_names(const char* shipped) { return parse(shipped, {}).keys(); }
+input::Table written_out(const Entry& entry, const input::Table& form, const input::Table& more) {
+  input::Table table;
+  table.set("name", input::value_without_place(entry.name));
+  table.set("law", *entry.table.find("law"));
+  for (const input::Table* part : {&form, &more})
+    for (const input::Entry& one : part->entries) table.set(one.key, one.value);
+  table.set("source", input::value_without_place(entry.provenance.source));
+  for (const input::Entry& one : input::to_table(entry.provenance).entries)
+    if (one.key == "assumptions") table.set(one.key, one.value);
+  return table;
+}
 
 }  // namespace snug::materials

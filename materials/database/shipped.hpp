@@ -15,12 +15,14 @@ extern const char* const shipped_tissues;
 
 /// Where an entry's numbers come from.
 struct Provenance {
+  std::string name;
   std::string source;
   std::vector<std::string> assumptions;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
+    field(Field{.key = "name", .meaning = "what results call it, of values that stand in a case"}, self.name);
     field(Field{.key = "source", .meaning = "where the numbers come from, as printed there"}, self.source);
     field(Field{.key = "assumptions", .meaning = "what is not measured and was chosen instead"}, self.assumptions);
   }
@@ -35,13 +37,14 @@ struct Entry {
   Provenance provenance;
 };
 
-/// Finds the table that `reference` means: its own one, or the entry of that name in `shipped` (TOML text of `file`).
-/// `what` ("fabric", "tissue") is for the message. Throws input::InputError with the nearest known name.
-Entry find_entry(const input::MaterialReference& reference, const char* shipped, const std::string& file,
-                 const std::string& what);
-std::vector<std::string> entry_names(const char* shipped);
+/// Finds the table that `reference` means: its own one, or the entry of that name in `shipped`. `what` ("fabric", "tissue") is
+/// for the message. Throws input::InputError with the nearest known name.
+Entry find_entry(const input::MaterialReference& reference, const input::Table& shipped, const std::string& what);
+
+/// An entry written out: its law with the values in SI and its defaults, what `more` adds, its name and where it comes from.
+input::Table written_out(const Entry& entry, const input::Table& form, const input::Table& more);
 
 /// Keys of an entry that are not the law's own.
-inline std::vector<std::string> common_keys() { return {"law", "source", "assumptions"}; }
+inline std::vector<std::string> common_keys() { return {"law", "name", "source", "assumptions"}; }
 
 }  // namespace snug::materials

@@ -1,3 +1,4 @@
+#include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
 #include "materials/database/shipped.hpp"
 #include "materials/laws/inputs.hpp"
@@ -5,7 +6,11 @@
 namespace snug::materials {
 namespace {
 
-constexpr const char* file = "materials/data/tissues.toml";
+// Parsed once: it never changes.
+const input::Table& shipped() {
+  static const input::Table all = input::table_of(shipped_tissues, {"materials/data/tissues.toml", 1, 1});
+  return all;
+}
 
 // What an entry says beside the law's own keys.
 struct Properties {
@@ -24,7 +29,7 @@ struct Properties {
 }  // namespace
 
 Tissue find_tissue(const input::MaterialReference& reference) {
-  const Entry entry = find_entry(reference, shipped_tissues, file, "tissue");
+  const Entry entry = find_entry(reference, shipped(), "tissue");
   input::Diagnostics diagnostics;
   std::vector<std::string> others = common_keys();
   others.insert(others.end(), {"range", "density"});
@@ -38,6 +43,15 @@ Tissue find_tissue(const input::MaterialReference& reference) {
           .source = entry.provenance.text()};
 }
 
+input::Table written_out_tissue(const input::MaterialReference& reference) {
+  const Entry entry = find_entry(reference, shipped(), "tissue");
+  input::Diagnostics diagnostics;
+  const auto properties = input::read<Properties>(entry.table, diagnostics, {.also_known = entry.table.keys()});
+  input::Table more = input::to_table(properties);
+  if (properties.shear_modulus[1] == 0.0) more.remove("range");  // not given
+  return written_out(entry, law_in_si(entry.table), more);
+}
+
 Tissue find_membrane_tissue(const input::MaterialReference& reference) {
   Tissue tissue = find_tissue(reference);
   if (!is_split(tissue.law))
@@ -48,6 +62,6 @@ Tissue find_membrane_tissue(const input::MaterialReference& reference) {
   return tissue;
 }
 
-std::vector<std::string> tissue_names() { return entry_names(shipped_tissues); }
+std::vector<std::string> tissue_names() { return shipped().keys(); }
 
 }  // namespace snug::materials

@@ -86,6 +86,8 @@ Fabric with_usual_sheet(Fabric fabric);
 
 /// Shipped fabric (materials/data/fabrics.toml) or inline table. Throws input::InputError with the nearest known name.
 Fabric find_fabric(const input::MaterialReference& reference);
+/// The fabric as a table of its values in SI, which reads back to the same. The reference has been found before.
+input::Table written_out_fabric(const input::MaterialReference& reference);
 std::vector<std::string> fabric_names();
 
 }  // namespace snug::materials

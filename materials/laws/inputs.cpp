@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
 
 namespace snug::materials {
@@ -100,6 +101,16 @@ std::vector<std::string> solid_law_names() {
   std::vector<std::string> names;
   for_each_law_input([&]<class Input>() { names.push_back(Input::page().name); });
   return names;
+}
+
+input::Table law_in_si(const input::Table& table) {
+  input::Diagnostics diagnostics;
+  input::Table written;
+  const std::string name = input::read_choice(table, "law", solid_law_names(), diagnostics);
+  for_each_law_input([&]<class Input>() {
+    if (Input::page().name == name) written = input::to_table(input::read<Input>(table, diagnostics, {.also_known = table.keys()}));
+  });
+  return written;
 }
 
 std::optional<SolidLaw> read_solid_law(const input::Table& table, const std::vector<std::string>& others,

@@ -201,6 +201,8 @@ std::vector<std::string> solid_law_names();
 
 /// The law that a table describes; reports unknown laws and keys, wrong values and combinations that are no stable
 /// solid, each with its place and remedy. Nothing when something was wrong. `others`: keys that somebody else reads.
+/// The form of the law that a right table holds, in SI and with its defaults.
+input::Table law_in_si(const input::Table& table);
 std::optional<SolidLaw> read_solid_law(const input::Table& table, const std::vector<std::string>& others,
                                        input::Diagnostics& diagnostics);
 

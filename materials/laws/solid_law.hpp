@@ -102,6 +102,8 @@ struct Tissue {
   std::string source;                              ///< where the numbers come from and what was assumed
 };
 
+/// The tissue as a table of its values in SI, which reads back to the same. The reference has been found before.
+input::Table written_out_tissue(const input::MaterialReference& reference);
 /// Looks the reference up in the shipped data (materials/data/tissues.toml) or reads its inline table.
 /// Throws input::InputError with the nearest known name.
 Tissue find_tissue(const input::MaterialReference& reference);

@@ -65,7 +65,8 @@ std::vector<Layer> foreign_layers(const Model& model, const input::BodySpec& spe
       throw InputError({spec.mesh.string(), 0, 0}, fmt::format("\"{}\" has no elastic constants", material.name),
                        fmt::format("give them there, or add {{ name = \"{}\", material = ... }} to body.layers", material.name));
     } else {
-      layers.push_back({material.name, {"", law_table(material, stress, density), {spec.mesh.string(), 0, 0}}});
+      const input::Location where{spec.mesh.string(), 0, 0};
+      layers.push_back({material.name, {"", input::table_of(law_table(material, stress, density), where), where}});
     }
   }
   for (const input::LayerSpec& layer : spec.layers) {

@@ -13,6 +13,7 @@
 
 #include "mesh/body/import_shell.hpp"
 #include "mesh/formats/gmsh_file.hpp"
+#include "mesh/body/section_centres.hpp"
 
 namespace snug::mesh {
 
@@ -193,17 +194,17 @@ class Import {
                        "name the bone's volume or its surface in gmsh like the rigid layer");
   }
 
-  /// Sectors count round the z axis through the mean of the skin's nodes.
+  /// Sectors count round the middle of the skin's section at the node's height, as on every body.
   void assign_locations() {
     mesh_.node_location.assign(mesh_.nodes.size(), -1);
     for (const auto& location : spec_.locations) mesh_.locations.push_back(location.name);
     const Surface* skin = mesh_.surface("skin");
     if (!skin || spec_.locations.empty()) return;
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    for (const int node : skin->nodes) centre += mesh_.nodes[node].head<2>() / static_cast<double>(skin->nodes.size());
+    const SectionCentres centres(mesh_);
     for (const int node : skin->nodes) {
       const Eigen::Vector3d& x = mesh_.nodes[node];
-      mesh_.node_location[node] = location_of(spec_.locations, std::atan2(x.y() - centre.y(), x.x() - centre.x()), x.z());
+      const Eigen::Vector2d arm = x.head<2>() - centres.at(x.z());
+      mesh_.node_location[node] = location_of(spec_.locations, std::atan2(arm.y(), arm.x()), x.z());
     }
   }
 

@@ -10,6 +10,7 @@
 
 #include "mesh/body/elliptic_outline.hpp"
 #include "mesh/body/fourier_outline.hpp"
+#include "mesh/body/section_centres.hpp"
 #include "mesh/body/smoothing.hpp"
 #include "mesh/body/tracked_sections.hpp"
 
@@ -118,19 +119,6 @@ FitResidual residual_of(const Limb& limb, const Eigen::MatrixXd& coefficients, c
 }  // namespace
 
 namespace {
-
-/// Facets cut into triangles between their nodes.
-TriangleSurface triangulated(const BodyMesh& body) {
-  using Triangles = std::vector<std::array<int, 3>>;
-  static const Triangles quad4 = {{0, 1, 3}, {0, 3, 2}}, tri6 = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}},
-                         quad9 = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}, {4, 5, 8}, {4, 8, 7}};
-  const FacetKind kind = facet_kind(body.kind);
-  TriangleSurface surface{body.nodes, {}};
-  for (const auto& facet : body.skin_facets)
-    for (const auto& [a, b, c] : kind == FacetKind::quad4 ? quad4 : kind == FacetKind::tri6 ? tri6 : quad9)
-      surface.triangles.push_back({facet[a], facet[b], facet[c]});
-  return weld(surface);
-}
 
 /// Heights between which the surface has no border: its cut ends.
 HeightRange closed_range(const TriangleSurface& surface) {

@@ -125,7 +125,7 @@ FuzzySystem comfort_system(const std::vector<std::string>& locations) {
 FuzzySystem load_fuzzy(const input::MaterialReference& reference, const std::vector<std::string>& locations,
                        const std::filesystem::path& directory) {
   const std::string& name = reference.name;
-  if (name.empty() && reference.table.empty()) return comfort_system(locations);
+  if (name.empty() && !reference.is_inline()) return comfort_system(locations);
   for (const ShippedSystem& system : shipped)
     if (same_name(name, system.name)) return read_shipped(system);
   const std::filesystem::path file = directory / name;

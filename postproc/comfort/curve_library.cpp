@@ -150,10 +150,7 @@ SensationCurves read_file(const fs::path& file) {
 }
 
 SensationCurves read_inline(const input::MaterialReference& reference, const fs::path& directory) {
-  input::Diagnostics diagnostics;
-  const input::Table table = input::parse_text(reference.table, reference.where, diagnostics);
-  diagnostics.throw_if_any();
-  return read_set(table, reference.where.file, [&](const std::string& name, input::Diagnostics& errors) {
+  return read_set(reference.table, reference.where.file, [&](const std::string& name, input::Diagnostics& errors) {
     return input::read_csv(directory / name, errors);
   });
 }
@@ -188,7 +185,7 @@ std::vector<SensationCurves> shipped_curves() {
 }
 
 SensationCurves find_curves(const input::MaterialReference& reference, const fs::path& directory) {
-  if (!reference.table.empty()) return read_inline(reference, directory);
+  if (reference.is_inline()) return read_inline(reference, directory);
   std::vector<SensationCurves> sets = shipped_curves();
   for (SensationCurves& set : sets)
     if (same_name(set.name, reference.name)) return std::move(set);

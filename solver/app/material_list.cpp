@@ -21,7 +21,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 std::string entry_text(const std::string& name, const char* shipped, const std::string& what) {
   input::MaterialReference reference;
   reference.name = name;
-  const materials::Entry entry = materials::find_entry(reference, shipped, what, what);
+  const materials::Entry entry = materials::find_entry(reference, input::table_of(shipped, {what, 1, 1}), what);
   return fmt::format("# {} \"{}\"\n{}", what, name, input::to_toml(entry.table));
 }
 

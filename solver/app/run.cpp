@@ -59,7 +59,7 @@ void warn_of_slow_blas() {
 void write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
                OutputDirectory& out) {
   postproc::write_results(run, evaluation, out.aside(), provenance_of(prepared));
-  input::write_file(out.aside() / "case.echo.toml", input::echo_text(prepared.description));
+  input::write_file(out.aside() / "case.echo.toml", solver::echo_text(prepared.model));
 }
 
 /// The files of any run; what is there under one of these names and is not snug's is said before the solve.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "cases/input/echo.hpp"
+
 namespace snug::solver {
 
 namespace {
@@ -120,6 +122,14 @@ Model make_model(const input::Case& description, const mesh::BodyMesh& body) {
   collect.throw_if_any();
   add_contacts(description, model);
   return model;
+}
+
+std::string echo_text(const Model& model) {
+  return input::echo_text(model.asked, [](const input::Field& field, const input::MaterialReference& reference) -> std::optional<input::Table> {
+    if (field.key == "fabric") return materials::written_out_fabric(reference);
+    if (field.key == "material" && reference.name != "rigid") return materials::written_out_tissue(reference);
+    return std::nullopt;
+  });
 }
 
 double softest_shear_modulus(const Model& model) {

@@ -58,6 +58,10 @@ Model make_model(const input::Case& description);
 /// The same with the materials of the body's mesh, which of a foreign file are its own.
 Model make_model(const input::Case& description, const mesh::BodyMesh& body);
 
+/// The case with every value in SI, defaults filled in, and the materials that it names or gives written out: a case that reads
+/// back to the same model (case.echo.toml).
+std::string echo_text(const Model& model);
+
 /// Shear modulus (Pa) of the softest layer that is solved; infinite for a rigid body.
 double softest_shear_modulus(const Model& model);
 

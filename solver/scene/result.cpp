@@ -8,6 +8,7 @@
 #include "postproc/skin_pressure.hpp"
 #include "solver/scene/friction_result.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/scene/reactions.hpp"
 #include "solver/scene/surface_result.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/shell.hpp"
@@ -153,21 +154,6 @@ void fill_contact_points(const Contact& contact, const State& state, bool deform
   }
 }
 
-// What holds a node of the garment, by the residual r there: a prescribed entry c answers with r_c; an entry that is bound to
-// others of its node by u_c = sum of a_k u_k answers along the line that it holds, with r_c there and -a_k r_c in each k.
-Eigen::Vector3d hold_of(const Scene& scene, const Eigen::VectorXd& residual, int first) {
-  const Bound& bound = scene.numbering().bound();
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  for (int c = 0; c < 3; ++c) {
-    if (scene.numbering().unknown(first + c) >= 0) continue;
-    force[c] += residual[first + c];
-    const auto follows = bound.find(first + c);
-    if (follows == bound.end()) continue;
-    for (const Follow& of : follows->second) force[of.entry - first] -= of.weight * residual[first + c];
-  }
-  return force;
-}
-
 // Supports answer at prescribed entries: their force is the residual there.
 void fill_reactions(const Scene& scene, const State& state, const std::vector<mesh::GarmentMesh>& garments, postproc::Balance& balance) {
   const Layout& layout = scene.layout();
@@ -193,7 +179,7 @@ void fill_reactions(const Scene& scene, const State& state, const std::vector<me
     for (const auto& [name, nodes] : garment.edges) {
       const Field& position = layout[garment.name];
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const int node : nodes) answer(position(node), hold_of(scene, residual, position(node)), sum);
+      for (const int node : nodes) answer(position(node), holding_force(scene, residual, position(node)), sum);
       note(edge_of(garments.size() == 1, garment.name, name) + " edge", sum);
     }
   const Eigen::VectorXd load = scene.load_forces(state);
@@ -203,17 +189,6 @@ void fill_reactions(const Scene& scene, const State& state, const std::vector<me
     balance.moment_error += Eigen::Vector3d(state.values.segment<3>(first)).cross(force);
     if (first >= layout["body"].end()) balance.garment_weight += force;
   }
-}
-
-// What keeps free parts in place bears nothing where their loads balance on the deformed body, too.
-void fill_free_motions(const Scene& scene, const State& state, std::map<std::string, double>& numbers) {
-  if (scene.supports().free_parts().empty()) return;
-  const Eigen::VectorXd residual = scene.full_residual(state);
-  double borne = 0.0;
-  for (const int entry : scene.supports().free_entries()) borne += std::abs(residual[entry]);
-  const Measure measure = scene.measure(state);
-  const double force = std::max(measure.contact_force, measure.smallest_force);
-  numbers["free_motions_share_of_load"] = force > 0.0 ? borne / force : 0.0;
 }
 
 // The springs under a shell are a support, too.
@@ -336,7 +311,7 @@ void fill_result(const Scene& scene, const State& state, const Model& model, con
     if (!touch.of_garment) fill_solid_contact(scene, state, touch, *model.contact(touch.contact->name()), body, result);
   fill_reactions(scene, state, meshes.garments, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
-  fill_free_motions(scene, state, result.numbers);
+  if (const auto borne = borne_by_free_motions(scene, state)) result.numbers["free_motions_share_of_load"] = *borne;
   result.max_penetration = scene.measure(state).penetration;
   fill_numbers(scene, body, result);
 }

@@ -27,7 +27,7 @@ bool held_by_garment(const Model& model) {
 Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]), table_(layout.size()) {
   const input::Case& description = model.asked;
   if (body_.count == 0 || !description.body) return;
-  hold_limb(*description.body, body);
+  hold_limb(*description.body, description.support, body);
   hold(body.held, description.body->where, body);
   for (const auto& spec : description.support) hold(spec, body);
   if (!held_by_garment(model)) hold_free_motions(body);
@@ -38,16 +38,22 @@ void Supports::prescribe(int node, int component, int holder, const Motion& moti
   table_.prescribe(body_(node, component), holder, component, motion, body.nodes[node], number);
 }
 
-void Supports::hold_limb(const input::BodySpec& spec, const mesh::BodyMesh& body) {
-  const auto fix = [&](const std::string& name, const std::vector<int>& nodes, int first) {
+void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body) {
+  const auto fix = [&](const std::string& name, const std::vector<int>& nodes, const std::vector<int>& components) {
     const int holder = table_.add({name, spec.where});
     for (const int node : nodes)
-      for (int c = first; c < 3; ++c) prescribe(node, c, holder, {}, body);
+      for (const int c : components)
+        if (name == "bone" || !bone_.contains(node)) prescribe(node, c, holder, {}, body);
   };
-  fix("bone", body.bone_nodes, 0);
+  bone_.insert(body.bone_nodes.begin(), body.bone_nodes.end());
+  std::vector<int> still;  // components in which no support of the case moves the bone
+  for (int c = 0; c < 3; ++c)
+    if (std::none_of(supports.begin(), supports.end(), [&](const auto& s) { return s.on == "bone" && std::array{s.x, s.y, s.z}[c]; }))
+      still.push_back(c);
+  fix("bone", body.bone_nodes, still);
   for (const char* name : {"lower", "upper"})
     if (const auto* cut = body.surface(name); cut && spec.kind != "imported" && spec.ends != "free")
-      fix(std::string(name) + " cut", cut->nodes, spec.ends == "fixed" ? 0 : 2);
+      fix(std::string(name) + " cut", cut->nodes, spec.ends == "fixed" ? std::vector{0, 1, 2} : std::vector{2});
 }
 
 void Supports::hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body) {
@@ -66,7 +72,7 @@ void Supports::hold(const input::SupportSpec& spec, const mesh::BodyMesh& body) 
   for (const int node : surface.nodes) motion.middle += body.nodes[node].head<2>() / static_cast<double>(surface.nodes.size());
   for (const int node : surface.nodes)
     for (int c = 0; c < 3; ++c)
-      if (given[c]) prescribe(node, c, holder, motion, body);
+      if (given[c] && (spec.on == "bone" || !bone_.contains(node))) prescribe(node, c, holder, motion, body);
 }
 
 void Supports::hold_free_motions(const mesh::BodyMesh& body) {

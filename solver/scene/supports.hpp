@@ -18,7 +18,8 @@ namespace snug::solver {
 const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where);
 
 /// The prescribed entries of the body and where they stand at a load: "bone", "lower cut", "upper cut", what the file holds, the
-/// supports of the case by their surfaces. Where several hold a component alike they bear the same of its force; where they do not,
+/// supports of the case by their surfaces. Nodes of the rigid bone are the bone's, which stands still unless a support on "bone"
+/// says otherwise; other surfaces that end there leave them to it. Where several hold a component alike they bear the same of its force; where they do not,
 /// the constructor throws input::InputError (constraint_table.hpp). Parts of the body that these leave free to move as a whole are
 /// held, too ("free motions of the body"), by as many components as it takes: `check_balance` says whether nothing has to be borne
 /// there.
@@ -39,12 +40,13 @@ class Supports {
 
  private:
   void prescribe(int node, int component, int holder, const Motion& motion, const mesh::BodyMesh& body);
-  void hold_limb(const input::BodySpec& spec, const mesh::BodyMesh& body);
+  void hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body);
   void hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body);
   void hold(const input::SupportSpec& spec, const mesh::BodyMesh& body);
   void hold_free_motions(const mesh::BodyMesh& body);
 
   Field body_;
+  std::set<int> bone_;  ///< nodes
   ConstraintTable table_{0};
   std::vector<FreePart> free_;
   std::vector<int> free_entries_;

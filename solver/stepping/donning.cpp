@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/scene/reactions.hpp"
 #include "solver/scene/result.hpp"
 
 namespace snug::solver {
@@ -33,21 +34,31 @@ Push push(double force, double contact) {
   return {force, std::abs(force) / std::sqrt(std::max(1e-30, contact * contact - force * force))};
 }
 
+// Sum of the contact forces of a garment, N.
+double contact_force(const Scene& scene, const State& state, const Model& model, int garment) {
+  const ContactModel* contact = model.contact_of(garment);
+  double sum = 0.0;
+  if (contact)
+    for (const auto& point : scene.find<Contact>(contact->name)->point_forces(state)) sum += point.force.norm();
+  return sum;
+}
+
 }  // namespace
 
-Push push(const postproc::RunResult& frictionless, const Model& model, const Meshes& meshes) {
+Push push_on_probes(const Scene& held, const State& state, const Model& model, const Meshes& meshes) {
   Push largest;
+  const Eigen::VectorXd residual = held.full_residual(state);
   for (std::size_t g = 0; g < meshes.garments.size(); ++g) {
     if (!model.garments[g].spec.held.empty()) continue;
-    const auto& reactions = frictionless.balance.reactions;
-    const auto it = reactions.find(edge_name(model, meshes.garments[g], probe_edge(meshes.garments[g])));
-    const Push net = push(it == reactions.end() ? 0.0 : it->second.z(), frictionless.balance.contact_force);
+    const mesh::GarmentMesh& garment = meshes.garments[g];
+    const double force = edge_force(held, residual, garment, probe_edge(garment)).z();
+    const Push net = push(force, contact_force(held, state, model, static_cast<int>(g)));
     if (std::abs(net.force) > std::abs(largest.force)) largest = net, largest.garment = static_cast<int>(g);
   }
   return largest;
 }
 
-Push push(const Scene& sticking, const State& state, const Model& model) {
+Push push_where_it_sticks(const Scene& sticking, const State& state, const Model& model) {
   Push largest;
   const Eigen::VectorXd load = sticking.load_forces(state);  // the garment's weight; on the rigid skin nothing else is loaded
   for (std::size_t g = 0; g < model.garments.size(); ++g) {

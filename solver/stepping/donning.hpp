@@ -23,9 +23,9 @@ struct Push {
   int garment = 0;  ///< of several that which is pushed most
 };
 /// Of a frictionless state whose garments are held at their probe edges.
-Push push(const postproc::RunResult& frictionless, const Model& model, const Meshes& meshes);
+Push push_on_probes(const Scene& held, const State& state, const Model& model, const Meshes& meshes);
 /// Of garments that stick where they were placed.
-Push push(const Scene& sticking, const State& state, const Model& model);
+Push push_where_it_sticks(const Scene& sticking, const State& state, const Model& model);
 /// Says so, and what would help.
 std::string no_equilibrium(const Push& push, const Model& model, const Meshes& meshes);
 

@@ -11,6 +11,7 @@
 #include "solver/scene/guards.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/scene/reactions.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/arc_length.hpp"
 #include "solver/stepping/donning.hpp"
@@ -156,6 +157,12 @@ class Run {
     kept_.keep(way, shot);
   }
 
+  /// The result of the run: what is reported belongs to this state.
+  void fill(const Scene& scene, const State& state) {
+    fill_result(scene, state, model_, meshes_, result_);
+    borne_ = borne_by_free_motions(scene, state);
+  }
+
   bool accept(Scene& scene, const PathResult& path, const std::string& name) {
     lost_ += path.lost;
     log_.end_path(scene, path.increments, name);
@@ -179,7 +186,7 @@ class Run {
                                     log_.sink(name + ", along its curve"));
     accept(scene, path, name);
     if (limit_load) result_.numbers["limit_load_share"] = *limit_load;
-    fill_result(scene, path.state, model_, meshes_, result_);
+    fill(scene, path.state);
     log_.phase("results");
   }
 
@@ -196,8 +203,8 @@ class Run {
     rigid.drop_matrix();  // the body needs the memory
     if (!complete && !model_.slides_freely() && !stopped()) return limit_of_small_friction();
     if (complete && model_.deformable() && !stray(rigid, path.state)) return release_body(rigid, path.state);
-    fill_result(rigid, path.state, model_, meshes_, result_);
-    if (complete) name_sliding();
+    fill(rigid, path.state);
+    if (complete) name_sliding(rigid, path.state);
     log_.phase("results");
   }
 
@@ -219,7 +226,7 @@ class Run {
     keep(rigid, placed, 0.0);
     const PathResult path = follow_path(rigid, placed, tightening(), on_the_way(Skin::rigid), log_.sink("tightening"));
     const bool tight = accept(rigid, path, "tightening where it was placed");
-    const Push net = push(rigid, path.state, worn_);
+    const Push net = push_where_it_sticks(rigid, path.state, worn_);
     if (tight && model_.slides_freely() && net.friction_needed > no_friction) return fall(rigid, path.state, net);
     if (tight && shows_spread()) add_spread(rigid, path.state);
     if (tight && model_.deformable()) {
@@ -227,14 +234,14 @@ class Run {
       return let_go_on_body(rigid, path.state);
     }
     if (tight) return let_go(rigid, path.state, Skin::rigid, net);
-    fill_result(rigid, path.state, model_, meshes_, result_);
+    fill(rigid, path.state);
     log_.phase("results");
   }
 
   /// A garment that hardly touches and that nothing holds falls: what sticks on the way is no answer.
   void fall(const Scene& rigid, const State& sticking, const Push& net) {
     fail(no_equilibrium(net, model_, meshes_));
-    fill_result(rigid, sticking, model_, meshes_, result_);
+    fill(rigid, sticking);
     log_.phase("results");
   }
 
@@ -247,7 +254,7 @@ class Run {
     const State start = scene.transfer(on_rigid, rigid.layout(), placed_state(scene.layout(), meshes_));
     const double give = softest_shear_modulus(model_) / rigid.measure(on_rigid).reference_pressure;
     const PathResult path = release(scene, start, give, on_the_way(Skin::deformable));
-    if (accept(scene, path, "releasing the body")) return let_go(scene, path.state, Skin::deformable, push(rigid, on_rigid, worn_));
+    if (accept(scene, path, "releasing the body")) return let_go(scene, path.state, Skin::deformable, push_where_it_sticks(rigid, on_rigid, worn_));
     finish_on_body(scene, path, rigid, on_rigid);
   }
 
@@ -260,7 +267,7 @@ class Run {
     const bool holds = accept(scene, path, "letting go");
     if (holds && vanishing) return without_any(scene, path.state, skin);
     if (!holds && !stopped()) name_coefficient(path.state), name_slipping(net);
-    fill_result(scene, path.state, model_, meshes_, result_);
+    fill(scene, path.state);
     log_.phase("results");
   }
 
@@ -273,7 +280,7 @@ class Run {
     if (accept(scene, faint, "fading friction"))
       path = follow_path(smooth, path.state, tightening(1.0, 1.0), in_one_step(settings(skin)), log_.sink("without friction"));
     if (path.complete && accept(smooth, path, "without friction")) {
-      fill_result(smooth, path.state, model_, meshes_, result_);
+      fill(smooth, path.state);
     } else {
       result_.status = "partial";
       result_.message = fmt::format("without friction no equilibrium was found near the placed garment; what is reported is held by a "
@@ -281,7 +288,7 @@ class Run {
                                     usual_friction / faint.state.release,
                                     model_.garments.front().spec.held.size() > 1 ? "a wider garment or stiffer tissue has one"
                                                                    : "give contact.friction, or hold the other edge, too");
-      fill_result(scene, faint.state, model_, meshes_, result_);
+      fill(scene, faint.state);
     }
     log_.phase("results");
   }
@@ -341,24 +348,17 @@ class Run {
     if (!path.complete && path.increments == 0) {  // nothing of the body converged: the rigid skin's answer stands
       result_.message += "; what is reported is the garment on the rigid skin (tier L1)";
       result_.truth = {.stage = "rigid skin"};
-      fill_result(rigid, on_rigid, model_, meshes_, result_);
+      fill(rigid, on_rigid);
     } else {
-      fill_result(scene, path.state, model_, meshes_, result_);
+      fill(scene, path.state);
     }
-    if (path.complete) name_sliding();
+    if (path.complete) name_sliding(scene, path.state);
     log_.phase("results");
-  }
-
-  postproc::RunResult result_on_rigid(const Scene& scene, const State& state) const {
-    postproc::RunResult result;
-    result.body = body_result(meshes_.body, false);
-    fill_result(scene, state, model_, meshes_, result);
-    return result;
   }
 
   /// A garment that no edge holds was held at its probe edge: a force there means that it would slide off.
   bool stray(const Scene& scene, const State& state) const {
-    return model_.slides_freely() && push(result_on_rigid(scene, state), model_, meshes_).force != 0.0;
+    return model_.slides_freely() && push_on_probes(scene, state, model_, meshes_).force != 0.0;
   }
 
   /// No edge holds the garment and friction does not, either; `net`: what pushed it while it stuck.
@@ -375,19 +375,18 @@ class Run {
       result_.message += "; what is reported sticks without a bound";
   }
 
-  void name_sliding() {
+  void name_sliding(const Scene& scene, const State& state) {
     if (!model_.slides_freely() || model_.has_friction()) return;
-    const Push net = push(result_, model_, meshes_);
+    const Push net = push_on_probes(scene, state, model_, meshes_);
     if (net.force != 0.0) fail(no_equilibrium(net, model_, meshes_));
   }
 
   /// Parts that nothing holds balance by themselves, or not at all. (The pin that keeps a garment from turning bears what the
   /// kinks between the skin's facets ask for, and so does the body then.)
   void refuse_borne_motions() {
-    const auto borne = result_.numbers.find("free_motions_share_of_load");
-    if (borne == result_.numbers.end() || borne->second <= (model_.garments.empty() ? 1e-6 : 1e-2) || result_.status != "converged") return;
+    if (!borne_ || *borne_ <= (model_.garments.empty() ? 1e-6 : 1e-2) || result_.status != "converged") return;
     fail(fmt::format("nothing holds a part of the body, and on the deformed body its loads do not balance: {:.2g} of them is left; "
-                     "hold it with a [[support]]", borne->second));
+                     "hold it with a [[support]]", *borne_));
   }
 
   /// Of a garment on the way.
@@ -409,6 +408,7 @@ class Run {
   const Stop& stop_;
   Journal* journal_;  ///< may be null
   int stages_ = 0;
+  std::optional<double> borne_;  ///< by the free motions of the reported state
   int lost_ = 0;     ///< iterations of increments that failed so far
   postproc::RunResult result_;
   RunLog log_;

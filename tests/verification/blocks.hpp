@@ -100,7 +100,7 @@ struct BlockCase {
     c.body.emplace();
     c.body->kind = "imported";
     c.load.emplace();
-    for (std::size_t l = 0; l < materials.size(); ++l) mesh.layers[l].material.table = materials[l];
+    for (std::size_t l = 0; l < materials.size(); ++l) mesh.layers[l].material.table = input::table_of(materials[l]);
   }
   void hold(const std::string& on, std::optional<double> x, std::optional<double> y, std::optional<double> z,
             double turn = 0.0) {

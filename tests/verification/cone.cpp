@@ -74,7 +74,7 @@ input::Case describe(const std::string& fabric) {
   c.garments.emplace_back();
   c.garments.front().pattern.length = rest_length;
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * rest_radius;
-  c.garments.front().fabric.table = fabric;
+  c.garments.front().fabric.table = input::table_of(fabric);
   c.garments.front().held = {{.edge = "upper", .held = "all"}};
   c.contacts.emplace_back();
   c.contacts.front().friction = 0.0;

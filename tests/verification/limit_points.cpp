@@ -16,7 +16,7 @@ struct Truss {
   explicit Truss(double force) {
     mesh.kind = CellKind::tet10;
     input::MaterialReference& law = mesh.layers.emplace_back(mesh::Layer{"strip", {}}).material;
-    law.table = fmt::format("law = 'linear-elastic'\nyoungs_modulus = '{} Pa'\npoisson_ratio = 0", youngs);
+    law.table = input::table_of(fmt::format("law = 'linear-elastic'\nyoungs_modulus = '{} Pa'\npoisson_ratio = 0", youngs));
     const int cells = 8;
     const auto node = [](int i, int j) { return 3 * i + j; };
     for (int i = 0; i <= 2 * cells; ++i)

@@ -64,7 +64,7 @@ struct Fixed {
 
 inline materials::SolidLaw tissue(double shear, double poisson) {
   input::MaterialReference reference;
-  reference.table = fmt::format("law = 'neo-Hooke'\nshear_modulus = '{} Pa'\npoisson_ratio = {}", shear, poisson);
+  reference.table = input::table_of(fmt::format("law = 'neo-Hooke'\nshear_modulus = '{} Pa'\npoisson_ratio = {}", shear, poisson));
   return materials::find_tissue(reference).law;
 }
 

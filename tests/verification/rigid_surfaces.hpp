@@ -100,7 +100,7 @@ inline input::Case describe(const RigidCase& rigid) {
   c.garments.front().position = -half_length(rigid);
   c.garments.front().pattern.length = 2.0 * half_length(rigid);
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * radius / (sphere ? 1.0 : stretch);
-  c.garments.front().fabric.table = "law = 'linear'\nwarp = '" + k + "'\nweft = '" + k + "'\nshear = '" + g + "'\npoisson = 0";
+  c.garments.front().fabric.table = input::table_of("law = 'linear'\nwarp = '" + k + "'\nweft = '" + k + "'\nshear = '" + g + "'\npoisson = 0");
   const std::string held = sphere ? "all" : "axis";
   c.garments.front().held = {{.edge = "upper", .held = held}, {.edge = "lower", .held = held}};
   c.contacts.emplace_back();

@@ -45,14 +45,14 @@ inline input::Case describe_tube(const TubeCase& tube) {
   c.body->stations = write_stations(tube);
   input::LayerSpec bone, tissue;
   bone.name = "bone", bone.material.name = "rigid", bone.form = "rigid";
-  tissue.name = "tissue", tissue.material.table = tube.tissue, tissue.cells = tube.through;
+  tissue.name = "tissue", tissue.material.table = input::table_of(tube.tissue), tissue.cells = tube.through;
   c.body->layers = {bone, tissue};
   c.body->elements = tube.elements;
   c.body->cells_around = tube.around, c.body->cells_along = tube.along;
   c.garments.emplace_back();
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * tube.sleeve;
   c.garments.front().pattern.length = tube.length;
-  c.garments.front().fabric.table = tube.fabric;
+  c.garments.front().fabric.table = input::table_of(tube.fabric);
   c.garments.front().cell_size = tube.cell_size;
   c.garments.front().held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
   c.contacts.emplace_back();

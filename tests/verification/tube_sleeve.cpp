@@ -185,7 +185,7 @@ void make_three_layers(const std::string& poisson_ratio, input::Case& c) {
   const auto add = [&](const std::string& name, const std::string& shear_modulus, double thickness, int cells) {
     input::LayerSpec& layer = c.body->layers.emplace_back();
     layer.name = name, layer.cells = cells;
-    layer.material.table = "law = 'neo-Hooke'\nshear_modulus = '" + shear_modulus + "'\npoisson_ratio = " + poisson_ratio;
+    layer.material.table = input::table_of("law = 'neo-Hooke'\nshear_modulus = '" + shear_modulus + "'\npoisson_ratio = " + poisson_ratio);
     if (thickness > 0.0) layer.thickness = thickness;
   };
   add("muscle", "8 kPa", 0.0, 3);

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -198,6 +199,55 @@ TEST_F(CaseDirectory, EchoReadsBackToTheSameCase) {
   EXPECT_NE(echo.find("stations = \"limb.csv\""), std::string::npos) << echo;
   const Case second = read_text(echo);
   EXPECT_EQ(echo_text(second), echo);
+}
+
+const std::string two_garments =
+    "[[garment]]\nname = \"band\"\npattern = { kind = \"tube\", flat_circumference = \"42 cm\", length = \"50 mm\" }\n"
+    "fabric = \"N85L15\"\nposition = \"0 mm\"\n"
+    "[[garment]]\nname = \"cuff\"\npattern = { kind = \"tube\", flat_circumference = \"40 cm\", length = \"30 mm\" }\n"
+    "fabric = \"C98L2\"\nposition = \"80 mm\"\n";
+
+TEST_F(CaseDirectory, SeveralGarmentsAreAListAndOneMayStandAlone) {
+  // [[garment]] and [[contact]] are lists; a single table is a list of one, and the echo reads back to the same either way.
+  const std::string head = "title = \"t\"\n" + body_section;
+  const Case c = read_text(head + two_garments + "[[contact]]\nslave = \"cuff\"\nfriction = 0.4\n[[contact]]\n");
+  ASSERT_EQ(c.garments.size(), 2u);
+  EXPECT_EQ(c.garments[1].name, "cuff");
+  ASSERT_EQ(c.contacts.size(), 2u);
+  EXPECT_EQ(c.contacts[0].friction, 0.4);
+  EXPECT_EQ(c.contacts[1].slave, "");
+  EXPECT_EQ(echo_text(read_text(echo_text(c))), echo_text(c));
+  EXPECT_EQ(read_text(good_).garments.front().name, "garment");
+  EXPECT_NE(echo_text(read_text(good_)).find("[garment]"), std::string::npos);
+  std::string listed = good_;
+  listed.replace(listed.find("[garment]"), 9, "[[garment]]").replace(listed.find("[contact]"), 9, "[[contact]]");
+  EXPECT_EQ(echo_text(read_text(listed)), echo_text(read_text(good_)));
+  EXPECT_EQ(read_text(listed, {.overrides = {"contact.friction=0.1", "garment.position=\"3 mm\""}}).contacts.front().friction, 0.1);
+  EXPECT_EQ(read_text(head + two_garments + "[contact]\n", {.overrides = {"garment.cuff.position=\"90 mm\""}}).garments[1].position, 0.09);
+}
+
+TEST_F(CaseDirectory, ContactsAndGarmentsThatDoNotFitTogetherAreNamed) {
+  // A name twice, a contact of nobody, a garment without contact, two slaves of one surface: each has its place and remedy.
+  const std::string head = "title = \"t\"\n" + body_section;
+  std::string twice = two_garments;
+  twice.replace(twice.find("cuff"), 4, "band");
+  EXPECT_THAT(all(errors_of(head + twice + "[contact]\n")), testing::HasSubstr("a second garment is called \"band\""));
+  EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\nslave = \"cuff\"\n")),
+              testing::HasSubstr("no [[contact]] is of the garment \"band\""));
+  EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\n")), testing::HasSubstr("two contacts name no slave"));
+  EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\nslave = \"cuff\"\n[[contact]]\nslave = \"cuff\"\n")),
+              testing::HasSubstr("\"cuff\" is the slave of two contacts"));
+  EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\nslave = \"cuff\"\nmaster = \"band\"\n")),
+              testing::HasSubstr("a garment touches the skin"));
+  EXPECT_THAT(all(errors_of(head + "[load]\nskin_pressure = \"1 kPa\"\n[contact]\nslave = \"top\"\nmaster = \"top\"\n")),
+              testing::HasSubstr("touch itself"));
+}
+
+TEST_F(CaseDirectory, ATierWithoutABodyMovesNone) {
+  // On a rigid body a support that moves is an error; one that holds is left out and said so by the plan.
+  EXPECT_THAT(all(errors_of(good_ + "[[support]]\non = \"upper\"\nz = \"2 mm\"\n[solver]\ntier = \"L1\"\n")),
+              testing::HasSubstr("no [[support]] moves"));
+  EXPECT_TRUE(errors_of(good_ + "[[support]]\non = \"upper\"\nz = \"0 mm\"\n[solver]\ntier = \"L1\"\n").empty());
 }
 
 TEST_F(CaseDirectory, MissingDirectoryAndFileAreNamed) {

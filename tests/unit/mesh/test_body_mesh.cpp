@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "mesh/body/section_centres.hpp"
 #include "tests/unit/mesh/bodies.hpp"
 
 namespace snug::mesh {
@@ -198,6 +199,24 @@ TEST(BodyMesh, ACellThatWouldInvertIsRefusedWithLayerAngleAndHeight) {
     const std::string text = error.what();
     for (const char* part : {"tissue", "deg", "mm"}) EXPECT_NE(text.find(part), std::string::npos) << text;
   }
+}
+
+// Angles of a leaning body count round the middle of its section at each height, not round one line through all of it.
+TEST(SectionCentres, FollowALeaningBody) {
+  BodyMesh mesh = make_body_mesh(layered_spec(), ellipse());  // round (10, -20) mm from 100 to 300 mm
+  for (Eigen::Vector3d& x : mesh.nodes) x.x() += 0.5 * (x.z() - 0.1), x.y() -= 0.2 * (x.z() - 0.1);
+  const SectionCentres centres(mesh);
+  for (const double z : {0.1, 0.1371, 0.2, 0.3})
+    EXPECT_LE((centres.at(z) - Eigen::Vector2d(0.01 + 0.5 * (z - 0.1), -0.02 - 0.2 * (z - 0.1))).norm(), 1e-4) << z;
+}
+
+// An open patch of skin has no section that closes: the mean of its nodes serves.
+TEST(SectionCentres, OfAnOpenPatchAreTheMeanOfItsNodes) {
+  BodyMesh mesh = make_body_mesh(layered_spec(), cylinder());
+  std::erase_if(mesh.skin_facets, [&](const FacetNodeNumbers& facet) { return mesh.nodes[facet[4]].x() < 0.0; });
+  const Eigen::Vector2d centre = SectionCentres(mesh).at(0.1);
+  EXPECT_GT(centre.x(), 0.02);
+  EXPECT_LT(std::abs(centre.y()), 5e-3);
 }
 
 }  // namespace

@@ -246,7 +246,7 @@ TEST(ForeignBody, AStraightHexahedronBecomesAQuadraticOneInSi) {
   EXPECT_NEAR(body.pressures[0].value, 4e6, 1e-6);
   for (const int node : body.pressures[0].facets[0]) EXPECT_NEAR(body.nodes[node].z(), 1e-3, 1e-18);
   EXPECT_EQ(body.layers[0].name, "TISSUE");
-  EXPECT_NE(body.layers[0].material.table.find("bulk_modulus = \"1000000000 Pa\""), std::string::npos) << body.layers[0].material.table;
+  EXPECT_EQ(*body.layers[0].material.table.find("bulk_modulus")->text(), "1000000000 Pa");
   EXPECT_TRUE(std::is_sorted(body.node_numbers.begin(), body.node_numbers.end()));
   input::BodySpec linear = spec_in_mm();
   linear.elements = "Q1/P0";
@@ -303,7 +303,7 @@ TEST(ForeignBody, TheThesisShellIsOneClosedSurfaceInSi) {
   EXPECT_EQ(body.nodes.size(), 18u);  // 6 corners, 12 edges
   EXPECT_NEAR(body.shell[0].thickness, 0.06, 1e-15);
   EXPECT_NEAR(body.shell[0].foundation, 4e7, 1e-6);
-  EXPECT_NE(body.layers[0].material.table.find("youngs_modulus = \"205"), std::string::npos) << body.layers[0].material.table;
+  EXPECT_EQ(body.layers[0].material.table.find("youngs_modulus")->text()->substr(0, 3), "205");
   double volume = 0.0;  // Gauss: of the double pyramid, 2/3 area height, if all normals point one way
   for (const ShellTriangle& t : body.shell)
     volume += body.nodes[t.nodes[0]].dot(body.nodes[t.nodes[1]].cross(body.nodes[t.nodes[2]])) / 6.0;

@@ -113,7 +113,10 @@ TEST(Supports, MoveWithTheLoad) {
   int states = 0;
   const auto keep = [&](double way, const postproc::RunResult& result) {
     ++states;
-    for (const int node : meshes.body.surface("upper")->nodes) EXPECT_NEAR(result.body.displacement[node].z(), way * 1e-3, 1e-15);
+    for (const int node : meshes.body.surface("upper")->nodes) {
+      const bool on_bone = std::count(meshes.body.bone_nodes.begin(), meshes.body.bone_nodes.end(), node) > 0;  // which stands still
+      EXPECT_NEAR(result.body.displacement[node].z(), on_bone ? 0.0 : way * 1e-3, 1e-15);
+    }
   };
   EXPECT_EQ(solver::solve(solver::make_model(c, meshes.body), meshes, {}, {2, keep}).status, "converged");
   EXPECT_EQ(states, 3);

@@ -248,7 +248,7 @@ TEST(Friction, IsThatOfTheCaseElseOfTheFabricElseTheUsualOne) {
   EXPECT_EQ(coefficient(), 0.17);
   c.contacts.front().friction.reset();
   EXPECT_EQ(coefficient(), 0.3);
-  c.garments.front().fabric.table += "\nMIU = 0.22";
+  c.garments.front().fabric.table.set("MIU", input::value_without_place(0.22));
   EXPECT_EQ(coefficient(), 0.22);
   c.contacts.front().friction = 0.0;
   EXPECT_FALSE(solver::make_model(c).has_friction());

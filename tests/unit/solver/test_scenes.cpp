@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include <algorithm>
 
 #include "solver/scene/laplace.hpp"
@@ -86,19 +89,21 @@ TEST(Parts, EveryPartOfTheFullSceneIsThereOnce) {
               ElementsAre("tissue", "fabric of garment", "contact"));
 }
 
+bool says(const std::vector<std::string>& list, const std::string& text) {
+  return std::any_of(list.begin(), list.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
+}
+
 TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo) {
   TubeCase tube = coarse();
   tube.sleeve = 0.058;  // on a limb of 55 mm
   input::Case c = describe_tube(tube);
-  const auto says = [&](const std::vector<std::string>& list, const std::string& text) {
-    return std::any_of(list.begin(), list.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; });
-  };
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "bending of garment", "weight of garment", "contact"));
   const solver::Plan plan = tests::plan(c, make_meshes(c));
   EXPECT_TRUE(says(plan.parts_in, "bending: 4.24e-06 N m along the warp, 4.24e-06 along the weft (assumed: a bending length of 12 mm); "
                                   "the garment is up to 3 mm wider all round than the body"));
   EXPECT_TRUE(says(plan.parts_in, "weight of the garment: 250 g/m2 (assumed)"));
-  c.garments.front().fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
+  c.garments.front().fabric.table.set("B", input::value_without_place(std::string("2e-6 N m")));
+  c.garments.front().fabric.table.set("weight", input::value_without_place(std::string("100 g/m2")));
   EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_in, "weight of the garment: 100 g/m2; the garment is"));
   c.garments.front().bending = false, c.garments.front().weight = false;
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
@@ -120,7 +125,8 @@ TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
   tube.tier = "L1";
   input::Case c = describe_tube(tube);
   c.garments.front().held = {{.edge = "upper", .held = "axis"}};
-  c.garments.front().fabric.table += "\nB = '2e-6 N m'\nweight = '100 g/m2'";
+  c.garments.front().fabric.table.set("B", input::value_without_place(std::string("2e-6 N m")));
+  c.garments.front().fabric.table.set("weight", input::value_without_place(std::string("100 g/m2")));
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
   EXPECT_EQ(result.status, "converged") << result.message;
   const double weight = 0.1 * 9.80665 * 2.0 * std::numbers::pi * 0.058 * 0.060;
@@ -190,6 +196,67 @@ TEST(Laplace, PressureOnACylinderIsTensionOverRadius) {
       EXPECT_TRUE(l0.covered[node]);
       EXPECT_NEAR(l0.pressure[node], exact, 1e-8 * exact);
     }
+}
+
+// What a rigid body leaves out is said, and its facets by their right name.
+TEST(Parts, ARigidBodySaysWhatItLeavesOut) {
+  TubeCase tube;
+  tube.tier = "L1", tube.elements = "P2/P1";
+  input::Case c = describe_tube(tube);
+  input::SupportSpec& support = c.support.emplace_back();
+  support.on = "upper", support.z = 0.0;
+  const solver::Plan plan = tests::plan(c, make_meshes(c));
+  EXPECT_TRUE(says(plan.parts_out, "support: upper, for tier L1 takes the body as rigid"));
+  EXPECT_TRUE(says(plan.parts_in, "quadratic triangular facets"));
+}
+
+// Two sleeves on one tube far enough apart press as each does alone, and each has its own unknowns, contact and edges.
+TEST(Parts, TwoGarmentsAreTwoParts) {
+  TubeCase tube;
+  tube.tier = "L1", tube.length = 0.12;
+  input::Case both = describe_tube(tube);
+  both.garments.push_back(both.garments.front());
+  both.garments[0].name = "low", both.garments[0].pattern.length = 0.04;
+  both.garments[1].name = "high", both.garments[1].pattern.length = 0.03, both.garments[1].position = 0.08;
+  both.garments[1].pattern.flat_circumference *= 1.1;
+  const postproc::RunResult result = tests::solve(both, make_meshes(both));
+  EXPECT_EQ(result.status, "converged");
+  ASSERT_EQ(result.garment.parts.size(), 2u);
+  EXPECT_EQ(result.unknowns.count("contact of high"), 1u);
+  for (int g = 0; g < 2; ++g) {
+    input::Case alone = both;
+    alone.garments = {both.garments[g]};
+    const postproc::RunResult one = tests::solve(alone, make_meshes(alone));
+    const auto& part = result.garment.parts[g];
+    ASSERT_EQ(one.garment.pattern.size(), static_cast<std::size_t>(part.end_node - part.first_node));
+    for (int n = part.first_node; n < part.end_node; ++n)
+      EXPECT_NEAR(result.garment.contact_pressure[n], one.garment.contact_pressure[n - part.first_node], 1e-5 * 9000.0) << part.name;
+    const std::string edge = part.name + ", upper edge";
+    EXPECT_LE((result.balance.reactions.at(edge) - one.balance.reactions.at("upper edge")).norm(), 1e-6 * one.balance.contact_force);
+  }
+}
+
+// The echo of a model names no entry: everything stands in it in SI, and a case read from it is the same model.
+TEST(Parts, TheEchoOfAModelReadsBackToTheSameModel) {
+  TubeCase tube;
+  input::Case c = describe_tube(tube);
+  c.title = "echo";
+  c.body->layers[1].material = {.name = "relaxed thigh"};
+  c.garments.front().fabric = {.name = "N85L15"};
+  const solver::Model model = solver::make_model(c);
+  const std::string echo = solver::echo_text(model);
+  EXPECT_THAT(echo, testing::HasSubstr("law = \"kes\""));
+  EXPECT_THAT(echo, testing::HasSubstr("name = \"relaxed thigh\""));
+  const auto folder = std::filesystem::temp_directory_path() / ("snug-echo-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "case.toml") << echo;
+  input::Case read = input::read_case(folder, {.allow_outside = true});
+  read.directory = c.directory;
+  const solver::Model again = solver::make_model(read);
+  EXPECT_EQ(solver::echo_text(again), echo);
+  EXPECT_EQ(again.garments.front().fabric.name, "N85L15");
+  EXPECT_EQ(again.garments.front().fabric.relaxed({0.1, 0.2, 0.0}, 1e-3).force, model.garments.front().fabric.relaxed({0.1, 0.2, 0.0}, 1e-3).force);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ struct Shaken {
     c.load.emplace();
     c.load->skin_pressure = 3000.0;
     input::LayerSpec& skin = c.body->layers.emplace_back();
-    skin.name = "skin", skin.form = "membrane", skin.thickness = 1.5e-3, skin.material.table = tube.tissue;
+    skin.name = "skin", skin.form = "membrane", skin.thickness = 1.5e-3, skin.material.table = input::table_of(tube.tissue);
     return c;
   }
 

@@ -1,0 +1,125 @@
+// The table of what is not free: contradictions are refused, agreement is shared, what follows others is resolved.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "solver/scene/constraint_table.hpp"
+#include "tests/verification/blocks.hpp"
+#include "tests/verification/tube.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::ConstraintTable, solver::Motion;
+using testing::ElementsAre, testing::HasSubstr;
+
+BlockCase cube() {
+  Block block;
+  block.cells = {2, 2, 2};
+  BlockCase c(make_block(block), {neo_hooke(10.0, 0.3)});
+  return c;
+}
+
+std::string refusal(const BlockCase& c) {
+  try {
+    tests::make_scene(c.c, c.mesh, {}, solver::Skin::deformable);
+  } catch (const input::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The edge where two faces meet cannot stay and go: the message names both, the component and a node.
+TEST(ConstraintTable, TwoSupportsThatContradictEachOtherAreRefused) {
+  BlockCase c = cube();
+  c.hold("left", {}, 0.0, {}), c.hold("back", {}, 0.05, {});
+  const std::string error = refusal(c);
+  EXPECT_THAT(error, HasSubstr("contradict each other at node"));
+  EXPECT_THAT(error, HasSubstr("along y"));
+  EXPECT_THAT(error, HasSubstr("\"left\" holds it"));
+  EXPECT_THAT(error, HasSubstr("\"back\" moves it by 50 mm"));
+}
+
+// The order of the file decides nothing: the other way round it is refused, too, and with other components it is none.
+TEST(ConstraintTable, TheirOrderDoesNotMatterAndOtherComponentsDoNotMeet) {
+  BlockCase turned = cube(), apart = cube(), opposite = cube();
+  turned.hold("back", {}, 0.05, {}), turned.hold("left", {}, 0.0, {});
+  EXPECT_THAT(refusal(turned), HasSubstr("contradict"));
+  apart.hold("left", 0.0, {}, {}), apart.hold("back", {}, 0.05, {});
+  EXPECT_EQ(refusal(apart), "");
+  opposite.hold("left", {}, 0.0, {}), opposite.hold("right", {}, 0.05, {});
+  EXPECT_EQ(refusal(opposite), "");
+}
+
+// A whole turn ends where it began and is another way all the same.
+TEST(ConstraintTable, AWholeTurnIsNotStandingStill) {
+  BlockCase c = cube();
+  c.hold("left", 0.0, 0.0, 0.0), c.hold("back", 0.0, 0.0, {}, 2.0 * std::numbers::pi);
+  EXPECT_THAT(refusal(c), HasSubstr("contradict"));
+}
+
+// Where a cut meets the rigid bone the node is the bone's; a support on "bone" moves it.
+TEST(ConstraintTable, NodesOfTheBoneGoWithTheBone) {
+  TubeCase tube;
+  tube.around = 8, tube.along = 2, tube.through = 1;
+  input::Case c = describe_tube(tube);
+  c.garments.clear(), c.contacts.clear();
+  c.support = {{.on = "upper", .x = {}, .y = {}, .z = 1e-3, .where = {}}};
+  c.body->ends = "free";
+  const solver::Meshes meshes = make_meshes(c);
+  const auto gap_at = [&](const input::Case& description, int node) {
+    const solver::Model model = solver::make_model(description, meshes.body);
+    const solver::Layout layout = solver::make_layout(model, meshes, solver::Skin::deformable);
+    solver::State state = solver::placed_state(layout, meshes);
+    state.load = 1.0;
+    return solver::Supports(model, meshes.body, layout).gap(state)[layout["body"](node, 2)];
+  };
+  const std::set<int> bone(meshes.body.bone_nodes.begin(), meshes.body.bone_nodes.end());
+  for (const int node : meshes.body.surface("upper")->nodes) EXPECT_NEAR(gap_at(c, node), bone.contains(node) ? 0.0 : 1e-3, 1e-15);
+  input::Case led = c;
+  led.support = {{.on = "bone", .x = {}, .y = {}, .z = 2e-3, .where = {}}};
+  for (const int node : bone) EXPECT_NEAR(gap_at(led, node), 2e-3, 1e-15);
+}
+
+// Two supports that say the same of a face bear the same share of its force, and the node is held once.
+TEST(ConstraintTable, SupportsThatAgreeShareTheForceEvenly) {
+  BlockCase c = cube();
+  name_nodes(c.mesh, "also left", [](const Eigen::Vector3d& x) { return x.x() < 1e-9; });
+  c.hold("left", 0.0, {}, {}), c.hold("also left", 0.0, {}, {}), c.hold("bottom", {}, 0.0, {}), c.hold("back", {}, {}, 0.0);
+  c.traction("right", 100.0, 0.0, 0.0);
+  const BlockAnswer a = solve(c);
+  EXPECT_NEAR(a.result.balance.reactions.at("left").x(), -50.0, 1e-6);
+  EXPECT_NEAR(a.result.balance.reactions.at("also left").x(), -50.0, 1e-6);
+  EXPECT_LE(a.result.balance.force_error.norm(), 1e-9);
+}
+
+// An entry that follows one that follows others ends with those; one that follows what is prescribed has no unknown.
+TEST(ConstraintTable, WhatFollowsIsResolvedToTheEnd) {
+  ConstraintTable table(6);
+  table.fix(0);
+  table.bind(1, {{2, 0.4}, {3, -1.5}});
+  table.tie(4, 1);
+  table.tie(5, 0);
+  const solver::Numbering numbering = table.numbering({}, 1);
+  EXPECT_EQ(numbering.unknowns(), 2);
+  for (const int entry : {0, 1, 4, 5}) EXPECT_EQ(numbering.unknown(entry), -1) << entry;
+  const auto& line = numbering.bound().at(4);
+  ASSERT_EQ(line.size(), 2u);
+  EXPECT_EQ(line[0].entry, 2);
+  EXPECT_EQ(line[0].weight, 0.4);
+  EXPECT_EQ(line[1].entry, 3);
+  EXPECT_EQ(line[1].weight, -1.5);
+}
+
+// A motion at a quarter of the load has gone a quarter of its way and turned by a quarter of its angle.
+TEST(ConstraintTable, MotionsGrowWithTheLoad) {
+  const Motion motion{.displacement = {0.0, 0.0, 0.4}, .turn = 2.0 * std::numbers::pi, .middle = {1.0, 0.0}};
+  EXPECT_LE((motion.at({2.0, 0.0, 0.0}, 0.25) - Eigen::Vector3d(1.0, 1.0, 0.1)).norm(), 1e-15);
+  ConstraintTable table(3);
+  const int lid = table.add({"lid"});
+  for (int c = 0; c < 3; ++c) table.prescribe(c, lid, c, motion, {2.0, 0.0, 0.0}, 1);
+  EXPECT_LE((table.gap(Eigen::Vector3d(2.0, 0.0, 0.0), 0.25) - Eigen::Vector3d(-1.0, 1.0, 0.1)).norm(), 1e-15);
+  EXPECT_THAT(table.prescribed_entries(), ElementsAre(0, 1, 2));
+}
+
+}  // namespace
+}  // namespace snug::tests
