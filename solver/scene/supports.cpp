@@ -39,21 +39,20 @@ void Supports::prescribe(int node, int component, int holder, const Motion& moti
 }
 
 void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body) {
-  const auto fix = [&](const std::string& name, const std::vector<int>& nodes, const std::vector<int>& components) {
+  const auto said = [&](const std::string& surface, int c) {  // by a support of the case, whose word counts then
+    return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.on == surface && std::array{s.x, s.y, s.z}[c]; });
+  };
+  const auto fix = [&](const std::string& name, const std::string& surface, const std::vector<int>& nodes, int first) {
     const int holder = table_.add({name, spec.where});
     for (const int node : nodes)
-      for (const int c : components)
-        if (name == "bone" || !bone_.contains(node)) prescribe(node, c, holder, {}, body);
+      for (int c = first; c < 3; ++c)
+        if (!said(surface, c) && (surface == "bone" || !bone_.contains(node))) prescribe(node, c, holder, {}, body);
   };
   bone_.insert(body.bone_nodes.begin(), body.bone_nodes.end());
-  std::vector<int> still;  // components in which no support of the case moves the bone
-  for (int c = 0; c < 3; ++c)
-    if (std::none_of(supports.begin(), supports.end(), [&](const auto& s) { return s.on == "bone" && std::array{s.x, s.y, s.z}[c]; }))
-      still.push_back(c);
-  fix("bone", body.bone_nodes, still);
-  for (const char* name : {"lower", "upper"})
-    if (const auto* cut = body.surface(name); cut && spec.kind != "imported" && spec.ends != "free")
-      fix(std::string(name) + " cut", cut->nodes, spec.ends == "fixed" ? std::vector{0, 1, 2} : std::vector{2});
+  fix("bone", "bone", body.bone_nodes, 0);
+  for (const char* surface : {"lower", "upper"})
+    if (const auto* cut = body.surface(surface); cut && spec.kind != "imported" && spec.ends != "free")
+      fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == "fixed" ? 0 : 2);
 }
 
 void Supports::hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body) {

@@ -18,8 +18,8 @@ namespace snug::solver {
 const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where);
 
 /// The prescribed entries of the body and where they stand at a load: "bone", "lower cut", "upper cut", what the file holds, the
-/// supports of the case by their surfaces. Nodes of the rigid bone are the bone's, which stands still unless a support on "bone"
-/// says otherwise; other surfaces that end there leave them to it. Where several hold a component alike they bear the same of its force; where they do not,
+/// supports of the case by their surfaces. What bone and cuts hold by themselves gives way to a support
+/// of the case on the same surface. Nodes of the rigid bone are the bone's: other surfaces that end there leave them to it. Where several hold a component alike they bear the same of its force; where they do not,
 /// the constructor throws input::InputError (constraint_table.hpp). Parts of the body that these leave free to move as a whole are
 /// held, too ("free motions of the body"), by as many components as it takes: `check_balance` says whether nothing has to be borne
 /// there.
