@@ -21,7 +21,7 @@ std::string to_string(Outcome outcome) {
 
 namespace {
 
-// Follows sewn nodes: their entries move with their representatives because they share unknowns.
+// Takes as much of the step as is admissible; every trial is a copy of the state. False: nothing is.
 bool move(Scene& scene, State& state, const Eigen::VectorXd& step, double& fraction) {
   const State start = state;
   for (int halving = 0; halving < 10; ++halving, fraction *= 0.5) {
