@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,7 @@ struct Balance {
   Eigen::Vector3d moment_error = Eigen::Vector3d::Zero();    ///< N m, about the origin
   double contact_force = 0.0;                                ///< N, sum of |normal point forces|
   double friction_force = 0.0;                               ///< N, sum of |tangential point forces|
+  std::optional<double> free_motions_share;                  ///< of the loads, borne by what holds free parts of the body; empty: none is
   std::map<std::string, Eigen::Vector3d> reactions;          ///< "upper edge", "bone", "lower cut", ... N
 };
 

@@ -20,16 +20,7 @@ namespace {
 /// The garments as placed round the body, without strain.
 postproc::GarmentResult as_placed(const std::vector<mesh::GarmentMesh>& meshes) {
   postproc::GarmentResult garment;
-  for (const mesh::GarmentMesh& mesh : meshes) {
-    const int first = static_cast<int>(garment.placed.size()), first_triangle = static_cast<int>(garment.triangles.size());
-    garment.placed.insert(garment.placed.end(), mesh.placed.begin(), mesh.placed.end());
-    garment.pattern.insert(garment.pattern.end(), mesh.pattern.begin(), mesh.pattern.end());
-    for (auto triangle : mesh.triangles) {
-      for (int& node : triangle) node += first;
-      garment.triangles.push_back(triangle);
-    }
-    garment.parts.push_back({mesh.name, first, static_cast<int>(garment.placed.size()), first_triangle, static_cast<int>(garment.triangles.size())});
-  }
+  for (const mesh::GarmentMesh& mesh : meshes) solver::append(mesh, garment);
   garment.current = garment.placed;
   const std::vector<double> zeros(garment.triangles.size(), 0.0), ones(garment.triangles.size(), 1.0);
   garment.tension_warp = garment.tension_weft = garment.shear = garment.wrinkled = zeros;

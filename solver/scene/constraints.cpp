@@ -84,11 +84,6 @@ void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMes
   }
 }
 
-bool rubs(const Model& model, int garment) {
-  const ContactModel* contact = model.contact_of(garment);
-  return contact && contact->friction.coefficient > 0.0;
-}
-
 }  // namespace
 
 std::string probe_edge(const mesh::GarmentMesh& garment) {
@@ -142,7 +137,7 @@ Layout make_layout(const Model& model, const Meshes& meshes, Skin skin) {
   if (deformable) add_pressures(layout, "body", meshes.body);
   for (const ContactModel& contact : model.contacts) {
     if (contact.garment >= 0)
-      add_multipliers(layout, contact.name, static_cast<int>(vertices_of(meshes.garments[contact.garment]).size()));
+      add_multipliers(layout, contact.name, garment_slave(layout[meshes.garments[contact.garment].name], meshes.garments[contact.garment]).vertices());
     else if (deformable)
       add_multipliers(layout, contact.name, surface_slave(layout["body"], meshes.body, slave_facets(meshes.body, contact)).vertices());
   }
@@ -153,7 +148,7 @@ Numbering make_numbering(const Model& model, const Meshes& meshes, const Layout&
   ConstraintTable table = supports.table();
   if (layout["body"].count > 0) constrain_pressures(model, meshes.body, layout, table);
   for (std::size_t g = 0; g < meshes.garments.size(); ++g)
-    constrain_garment(model.garments[g], rubs(model, static_cast<int>(g)), meshes.body, meshes.garments[g],
+    constrain_garment(model.garments[g], model.rubs(static_cast<int>(g)), meshes.body, meshes.garments[g],
                       layout[meshes.garments[g].name], table);
   return table.numbering(entry_owners(model, meshes, layout, ranks()), ranks());
 }

@@ -12,7 +12,7 @@ namespace snug::solver {
 struct FrictionChoice {
   double coefficient = 0.0;
   std::string source;
-  bool assumed = false;  ///< nobody says
+  bool of_case = false;  ///< the case says it
 };
 
 /// Of textiles on dry skin, where nobody says.

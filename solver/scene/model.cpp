@@ -81,6 +81,11 @@ const ContactModel* Model::contact(const std::string& name) const {
   return it == contacts.end() ? nullptr : &*it;
 }
 
+bool Model::rubs(int garment) const {
+  const ContactModel* contact = contact_of(garment);
+  return contact && contact->friction.coefficient > 0.0;
+}
+
 bool Model::slides_freely() const {
   return std::any_of(garments.begin(), garments.end(), [](const auto& garment) { return garment.spec.held.empty(); });
 }

@@ -44,6 +44,10 @@ struct Model {
   const ContactModel* contact_of(int garment) const;
   /// The contact of that name.
   const ContactModel* contact(const std::string& name) const;
+  /// True where friction holds the garment.
+  bool rubs(int garment) const;
+  /// True where neither an edge nor friction holds it: it is held at its probe edge, where a force means that it would slide off.
+  bool probed(int garment) const { return garments[garment].spec.held.empty() && !rubs(garment); }
   /// True where a garment that no edge holds could slide off.
   bool slides_freely() const;
   /// True where some garment rubs on the skin.

@@ -91,15 +91,6 @@ void put(const Field& field, const std::vector<int>& of_item, std::vector<int>& 
 
 }  // namespace
 
-std::vector<int> vertices_of(const mesh::GarmentMesh& garment) {
-  std::vector<int> nodes;
-  std::vector<char> seen(garment.pattern.size(), 0);
-  for (const auto& triangle : garment.triangles)
-    for (int v = 0; v < 3; ++v)
-      if (const int node = garment.merged[triangle[v]]; !seen[node]) seen[node] = 1, nodes.push_back(node);
-  return nodes;
-}
-
 std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const Layout& layout, int ranks) {
   std::vector<int> owner(layout.size(), 0);
   if (ranks == 1) return owner;
@@ -125,7 +116,7 @@ std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const La
     const Field& pressures = layout[contact.name];
     std::vector<int> of_vertex;
     if (contact.garment >= 0)
-      for (const int node : vertices_of(meshes.garments[contact.garment])) of_vertex.push_back(of_garment[contact.garment][node]);
+      for (const int node : garment_slave({}, meshes.garments[contact.garment]).node_of_vertex()) of_vertex.push_back(of_garment[contact.garment][node]);
     else if (pressures.count > 0)
       for (const int node : surface_slave(position, meshes.body, slave_facets(meshes.body, contact)).node_of_vertex())
         of_vertex.push_back(of_body[node]);

@@ -14,7 +14,5 @@ namespace snug::solver {
 /// the nearest skin facet; without such a body METIS shares out the triangles. A node belongs to the lowest rank that
 /// has an element at it, a multiplier to the rank of its vertex. The same on every rank.
 std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const Layout& layout, int ranks);
-/// Representative nodes of a garment's vertices, in the order in which contact numbers its pressures.
-std::vector<int> vertices_of(const mesh::GarmentMesh& garment);
 
 }  // namespace snug::solver

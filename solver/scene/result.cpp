@@ -31,6 +31,17 @@ postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
   return result;
 }
 
+void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result) {
+  const int first = static_cast<int>(result.pattern.size()), first_triangle = static_cast<int>(result.triangles.size());
+  result.placed.insert(result.placed.end(), mesh.placed.begin(), mesh.placed.end());
+  result.pattern.insert(result.pattern.end(), mesh.pattern.begin(), mesh.pattern.end());
+  for (auto triangle : mesh.triangles) {
+    for (int& node : triangle) node += first;
+    result.triangles.push_back(triangle);
+  }
+  result.parts.push_back({mesh.name, first, static_cast<int>(result.pattern.size()), first_triangle, static_cast<int>(result.triangles.size())});
+}
+
 namespace {
 
 void fill_stress(const Tissue& tissue, const State& state, postproc::BodyResult& body) {
@@ -78,13 +89,7 @@ void add_named_edges(const mesh::GarmentMesh& mesh, bool alone, int garment, int
   }
 }
 
-void add_nodes(const Field& position, const State& state, const mesh::GarmentMesh& mesh, int first, postproc::GarmentResult& result) {
-  result.placed.insert(result.placed.end(), mesh.placed.begin(), mesh.placed.end());
-  result.pattern.insert(result.pattern.end(), mesh.pattern.begin(), mesh.pattern.end());
-  for (auto triangle : mesh.triangles) {
-    for (int& node : triangle) node += first;
-    result.triangles.push_back(triangle);
-  }
+void add_positions(const Field& position, const State& state, const mesh::GarmentMesh& mesh, int first, postproc::GarmentResult& result) {
   for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
     result.current.push_back(state.values.segment<3>(position(mesh.merged[node])));
   if (mesh.order == 1)
@@ -97,9 +102,10 @@ void add_nodes(const Field& position, const State& state, const mesh::GarmentMes
 // Adds a garment behind those that are there.
 void add_garment(const Scene& scene, const State& state, const mesh::GarmentMesh& mesh, bool alone, postproc::GarmentResult& result) {
   const auto& fabric = *scene.find<FabricMembrane>("fabric of " + mesh.name);
-  const int first = static_cast<int>(result.pattern.size()), first_triangle = static_cast<int>(result.triangles.size());
-  add_nodes(scene.layout()[mesh.name], state, mesh, first, result);
-  add_named_edges(mesh, alone, static_cast<int>(result.parts.size()), first, result.edges);
+  append(mesh, result);
+  const int first = result.parts.back().first_node;
+  add_positions(scene.layout()[mesh.name], state, mesh, first, result);
+  add_named_edges(mesh, alone, static_cast<int>(result.parts.size()) - 1, first, result.edges);
   result.contact_pressure.resize(result.pattern.size(), 0.0);
   for (int t = 0; t < fabric.triangles(); ++t) {
     const auto s = fabric.summary(state, t);
@@ -110,7 +116,6 @@ void add_garment(const Scene& scene, const State& state, const mesh::GarmentMesh
     result.stretch_weft.push_back(s.stretch_weft);
     result.wrinkled.push_back(s.wrinkled);
   }
-  result.parts.push_back({mesh.name, first, static_cast<int>(result.pattern.size()), first_triangle, static_cast<int>(result.triangles.size())});
 }
 
 // Raw multipliers on the garment, per current area; mid-edge nodes get the mean of their edge. `first`: its node in the result.
@@ -311,7 +316,8 @@ void fill_result(const Scene& scene, const State& state, const Model& model, con
     if (!touch.of_garment) fill_solid_contact(scene, state, touch, *model.contact(touch.contact->name()), body, result);
   fill_reactions(scene, state, meshes.garments, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
-  if (const auto borne = borne_by_free_motions(scene, state)) result.numbers["free_motions_share_of_load"] = *borne;
+  result.balance.free_motions_share = borne_by_free_motions(scene, state);
+  if (const auto borne = result.balance.free_motions_share) result.numbers["free_motions_share_of_load"] = *borne;
   result.max_penetration = scene.measure(state).penetration;
   fill_numbers(scene, body, result);
 }

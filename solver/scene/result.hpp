@@ -9,6 +9,9 @@ namespace snug::solver {
 /// Reference geometry, names and zero fields of the body (skin only when `cells` is false).
 postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells);
 
+/// Adds a garment's nodes, triangles and part behind those that are there.
+void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result);
+
 /// Fills displacement, stress, contact samples, skin pressure, garment fields, balance and `numbers` from the state.
 void fill_result(const Scene& scene, const State& state, const Model& model, const Meshes& meshes, postproc::RunResult& result);
 

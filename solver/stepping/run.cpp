@@ -11,7 +11,6 @@
 #include "solver/scene/guards.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/loads.hpp"
-#include "solver/scene/reactions.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/arc_length.hpp"
 #include "solver/stepping/donning.hpp"
@@ -77,7 +76,7 @@ class Run {
   void assume() {
     if (result_.tier == "L0" || !model_.has_friction()) return;
     for (const ContactModel& contact : model_.contacts)
-      if (contact.garment >= 0 && contact.friction.source != "the case")
+      if (contact.garment >= 0 && !contact.friction.of_case)
         result_.assumptions.push_back(fmt::format("friction {:g} of the {} on the skin ({})", contact.friction.coefficient, contact.slave, contact.friction.source));
     result_.assumptions.push_back("the way on: placed round the body, sticking while it tightens, then let go (contact.spread = true shows others)");
   }
@@ -160,7 +159,6 @@ class Run {
   /// The result of the run: what is reported belongs to this state.
   void fill(const Scene& scene, const State& state) {
     fill_result(scene, state, model_, meshes_, result_);
-    borne_ = borne_by_free_motions(scene, state);
   }
 
   bool accept(Scene& scene, const PathResult& path, const std::string& name) {
@@ -384,9 +382,10 @@ class Run {
   /// Parts that nothing holds balance by themselves, or not at all. (The pin that keeps a garment from turning bears what the
   /// kinks between the skin's facets ask for, and so does the body then.)
   void refuse_borne_motions() {
-    if (!borne_ || *borne_ <= (model_.garments.empty() ? 1e-6 : 1e-2) || result_.status != "converged") return;
+    const std::optional<double> borne = result_.balance.free_motions_share;
+    if (!borne || *borne <= (model_.garments.empty() ? 1e-6 : 1e-2) || result_.status != "converged") return;
     fail(fmt::format("nothing holds a part of the body, and on the deformed body its loads do not balance: {:.2g} of them is left; "
-                     "hold it with a [[support]]", *borne_));
+                     "hold it with a [[support]]", *borne));
   }
 
   /// Of a garment on the way.
@@ -408,7 +407,6 @@ class Run {
   const Stop& stop_;
   Journal* journal_;  ///< may be null
   int stages_ = 0;
-  std::optional<double> borne_;  ///< by the free motions of the reported state
   int lost_ = 0;     ///< iterations of increments that failed so far
   postproc::RunResult result_;
   RunLog log_;
