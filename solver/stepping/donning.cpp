@@ -49,7 +49,7 @@ Push push_on_probes(const Scene& held, const State& state, const Model& model, c
   Push largest;
   const Eigen::VectorXd residual = held.full_residual(state);
   for (std::size_t g = 0; g < meshes.garments.size(); ++g) {
-    if (!model.garments[g].spec.held.empty()) continue;
+    if (!model.probed(static_cast<int>(g))) continue;
     const mesh::GarmentMesh& garment = meshes.garments[g];
     const double force = edge_force(held, residual, garment, probe_edge(garment)).z();
     const Push net = push(force, contact_force(held, state, model, static_cast<int>(g)));
@@ -63,7 +63,7 @@ Push push_where_it_sticks(const Scene& sticking, const State& state, const Model
   const Eigen::VectorXd load = sticking.load_forces(state);  // the garment's weight; on the rigid skin nothing else is loaded
   for (std::size_t g = 0; g < model.garments.size(); ++g) {
     const ContactModel* contact = model.contact_of(static_cast<int>(g));
-    if (!contact || !model.garments[g].spec.held.empty()) continue;
+    if (!model.rubs(static_cast<int>(g)) || !model.garments[g].spec.held.empty()) continue;
     double along = 0.0, sum = 0.0;
     for (const auto& point : sticking.find<Contact>(contact->name)->point_forces(state)) along += point.force.z(), sum += point.force.norm();
     const Field& garment = sticking.layout()[model.garments[g].spec.name];

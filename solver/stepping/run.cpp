@@ -265,6 +265,7 @@ class Run {
     const bool holds = accept(scene, path, "letting go");
     if (holds && vanishing) return without_any(scene, path.state, skin);
     if (!holds && !stopped()) name_coefficient(path.state), name_slipping(net);
+    if (holds) name_sliding(scene, path.state);  // of several garments one may be without friction
     fill(scene, path.state);
     log_.phase("results");
   }
@@ -374,7 +375,7 @@ class Run {
   }
 
   void name_sliding(const Scene& scene, const State& state) {
-    if (!model_.slides_freely() || model_.has_friction()) return;
+    if (!model_.slides_freely()) return;
     const Push net = push_on_probes(scene, state, model_, meshes_);
     if (net.force != 0.0) fail(no_equilibrium(net, model_, meshes_));
   }

@@ -236,6 +236,25 @@ TEST(Parts, TwoGarmentsAreTwoParts) {
   }
 }
 
+// Of two sleeves on a taper the one that rubs stays; the other is held by nothing, and the run says which and does not converge.
+TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
+  TubeCase tube;
+  tube.tier = "L1", tube.length = 0.12, tube.taper = 0.1;
+  input::Case c = describe_tube(tube);
+  c.garments.push_back(c.garments.front());
+  c.garments[0].name = "rough", c.garments[0].pattern.length = 0.03;
+  c.garments[1].name = "smooth", c.garments[1].pattern.length = 0.03, c.garments[1].position = 0.08;
+  for (auto& garment : c.garments) garment.held.clear();
+  c.contacts.push_back(c.contacts.front());
+  c.contacts[0].slave = "rough", c.contacts[0].friction = 0.4;
+  c.contacts[1].slave = "smooth", c.contacts[1].friction = 0.0;
+  const postproc::RunResult result = tests::solve(c, make_meshes(c));
+  EXPECT_EQ(result.status, "failed");
+  EXPECT_THAT(result.message, testing::HasSubstr("nothing holds the smooth along the axis"));
+  c.contacts[1].friction = 0.4;
+  EXPECT_EQ(tests::solve(c, make_meshes(c)).status, "converged");
+}
+
 // The echo of a model names no entry: everything stands in it in SI, and a case read from it is the same model.
 TEST(Parts, TheEchoOfAModelReadsBackToTheSameModel) {
   TubeCase tube;
