@@ -120,10 +120,25 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
   list_loose_cloth(name, model.garments[g].spec, fabric, mesh, plan);
 }
 
+// Garments that lie over one another touch the skin, not each other: thin cloth passes on what presses on it.
+void list_overlaps(const Model& model, Plan& plan) {
+  for (std::size_t a = 0; a < model.garments.size(); ++a)
+    for (std::size_t b = a + 1; b < model.garments.size(); ++b) {
+      const input::GarmentSpec &one = model.garments[a].spec, &other = model.garments[b].spec;
+      const double low = std::max(one.position, other.position);
+      const double high = std::min(one.position + one.pattern.length, other.position + other.pattern.length);
+      if (high > low)
+        plan.parts_out.push_back(fmt::format("contact of {} with {}: not available yet; over one another at heights {:.0f} to {:.0f} mm, each touches "
+                                             "the skin alone and their pressures add up",
+                                             one.name, other.name, 1e3 * low, 1e3 * high));
+    }
+}
+
 void list_garments(const Model& model, const Meshes& meshes, Plan& plan) {
   if (model.garments.empty()) plan.parts_out.push_back("garment: no [garment] in the case");
   if (model.garments.empty() && model.contacts.empty()) plan.parts_out.push_back("contact: no garment");
   for (std::size_t g = 0; g < model.garments.size(); ++g) list_garment(model, static_cast<int>(g), meshes, plan);
+  list_overlaps(model, plan);
   for (const ContactModel& contact : model.contacts)
     if (contact.garment < 0) list_contact(&contact, plan);
 }

@@ -255,6 +255,19 @@ TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
   EXPECT_EQ(tests::solve(c, make_meshes(c)).status, "converged");
 }
 
+// Garments over one another do not touch each other in the scene, and the plan says so; side by side there is nothing to say.
+TEST(Parts, GarmentsOverOneAnotherAreSaid) {
+  TubeCase tube;
+  tube.tier = "L1", tube.length = 0.12;
+  input::Case c = describe_tube(tube);
+  c.garments.push_back(c.garments.front());
+  c.garments[0].name = "low", c.garments[0].pattern.length = 0.06;
+  c.garments[1].name = "high", c.garments[1].pattern.length = 0.06, c.garments[1].position = 0.05;
+  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of low with high: not available yet; over one another at heights 50 to 60 mm"));
+  c.garments[1].position = 0.06;
+  EXPECT_FALSE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of low with high"));
+}
+
 // The echo of a model names no entry: everything stands in it in SI, and a case read from it is the same model.
 TEST(Parts, TheEchoOfAModelReadsBackToTheSameModel) {
   TubeCase tube;
