@@ -8,6 +8,7 @@
 #include "cases/input/units.hpp"
 #include "postproc/animation/film.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/data_directory.hpp"
 #include "solver/app/result_list.hpp"
 #include "solver/app/study/child_process.hpp"
 
@@ -60,15 +61,15 @@ class Animate : public Command {
 
   /// Drawn by VTK in a process of its own under a virtual display, joined by ffmpeg.
   void draw(const std::vector<std::string>& films) const {
-    std::vector<std::string> words = {"xvfb-run", "--auto-servernum", "/usr/bin/python3"};
-    words.push_back((fs::path(SNUG_SOURCE_DIR) / "scripts" / "film.py").string());
+    std::vector<std::string> words = {"xvfb-run", "--auto-servernum", "/usr/bin/python3", "-B"};
+    words.push_back((data_directory() / "scripts" / "film.py").string());
     words.push_back((fs::absolute(out_) / "animation").string());
     words.insert(words.end(), films.begin(), films.end());
     const ChildOutcome outcome = run_child(words, fs::temp_directory_path());
     const std::string why = outcome.status == 127 ? "xvfb-run is not installed" : outcome.output;
     if (outcome.status != 0)
       throw input::InputError({films.front(), 0, 0}, fmt::format("the film cannot be drawn: {}", why),
-                              "install what draws it: scripts/setup --pictures");
+                              "install what draws it: python3-vtk9, xvfb, xauth, ffmpeg (scripts/setup --pictures)");
     for (const std::string& film : films) fmt::print("{}\n", film);
   }
 

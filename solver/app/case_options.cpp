@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "solver/app/size_estimate.hpp"
-
 namespace snug::app {
 
 void CaseOptions::declare(CLI::App& app) {
@@ -19,13 +17,13 @@ void CaseOptions::declare(CLI::App& app) {
   app.add_option("--mesh-seconds", mesh_seconds, "seconds for gmsh to read or mesh a file")->check(CLI::Range(1.0, 1e6))->capture_default_str();
 }
 
-double CaseOptions::memory_limit() const { return memory > 0.0 ? 1e9 * memory : memory_of_machine(); }
-
-mesh::GmshOptions CaseOptions::gmsh() const {
-  mesh::GmshOptions options;
-  options.allow_scripts = allow_scripts;
-  options.limits.seconds = mesh_seconds;
-  if (memory > 0.0) options.limits.memory = 1e9 * memory;
+solver::PrepareOptions CaseOptions::preparation() const {
+  solver::PrepareOptions options;
+  options.reading = {.overrides = overrides, .allow_outside = allow_outside};
+  if (!tier.empty()) options.reading.overrides.push_back("solver.tier=" + tier);
+  options.gmsh.allow_scripts = allow_scripts;
+  options.gmsh.limits.seconds = mesh_seconds;
+  if (memory > 0.0) options.memory_limit = options.gmsh.limits.memory = 1e9 * memory;
   return options;
 }
 
@@ -41,9 +39,7 @@ std::vector<std::string> CaseOptions::words() const {
 }
 
 input::Case CaseOptions::read(const std::filesystem::path& directory) const {
-  input::ReadOptions options{.overrides = overrides, .allow_outside = allow_outside};
-  if (!tier.empty()) options.overrides.push_back("solver.tier=" + tier);
-  return input::read_case(directory, options);
+  return input::read_case(directory, preparation().reading);
 }
 
 }  // namespace snug::app

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/input/case.hpp"
-#include "mesh/formats/gmsh_file.hpp"
+#include "solver/library/prepared_case.hpp"
 
 namespace CLI {
 class App;
@@ -23,9 +23,8 @@ struct CaseOptions {
   double mesh_seconds = 300.0;  ///< for gmsh to read and mesh a file
 
   void declare(CLI::App& app);
-  /// Bytes that the case may take.
-  double memory_limit() const;
-  mesh::GmshOptions gmsh() const;
+  /// What reading and meshing are to heed.
+  solver::PrepareOptions preparation() const;
   /// The options as words of a command line, for another process.
   std::vector<std::string> words() const;
   /// Reads the case with the options applied. Throws input::InputError.

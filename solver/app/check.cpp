@@ -6,7 +6,6 @@
 #include "solver/app/command.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/print_plan.hpp"
-#include "solver/app/size_estimate.hpp"
 
 namespace snug::app {
 
@@ -27,8 +26,7 @@ class Check : public Command {
     for (const std::string& directory : directories_) {
       try {
         const PreparedCase prepared = prepare(directory, options_);
-        const solver::Plan plan = solver::plan(prepared.model, prepared.meshes);
-        refuse_large_plan(plan, prepared.memory_limit, prepared.description);
+        const solver::Plan plan = solver::plan(prepared);
         fmt::print("{}\n{}\n", plan_text(prepared.description.title, plan), quality_text(prepared));
       } catch (const input::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cases/input/files.hpp"
+#include "solver/app/data_directory.hpp"
 #include "solver/app/result_list.hpp"
 #include "solver/app/study/child_process.hpp"
 
@@ -25,11 +26,11 @@ void write_report(const fs::path& out, const postproc::report::Pictures& picture
 }
 
 postproc::report::Pictures draw_pictures(const fs::path& out) {
-  const fs::path script = fs::path(SNUG_SOURCE_DIR) / "scripts" / "picture.py";
-  const std::string remedy = " `scripts/setup --pictures` installs what draws them, `snug report` puts them in.";
-  if (!fs::exists(script)) return {{}, "scripts/picture.py is not where the program was built."};
+  const fs::path script = data_directory() / "scripts" / "picture.py";
+  const std::string remedy = " python3-vtk9, xvfb and xauth (scripts/setup --pictures) draw them, `snug report` puts them in.";
+  if (!fs::exists(script)) return {{}, script.string() + " is not there; snug is not installed as a whole."};
   const fs::path png = fs::temp_directory_path() / ("snug-picture-" + std::to_string(::getpid()) + ".png");
-  const ChildOutcome outcome = run_child({"xvfb-run", "--auto-servernum", "/usr/bin/python3", script.string(),
+  const ChildOutcome outcome = run_child({"xvfb-run", "--auto-servernum", "/usr/bin/python3", "-B", script.string(),
                                           fs::absolute(out).string(), "--out", png.string(), "--palette", "viridis"},
                                          fs::temp_directory_path());
   std::ifstream file(png, std::ios::binary);

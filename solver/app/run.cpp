@@ -26,7 +26,6 @@
 #include "solver/app/regression.hpp"
 #include "solver/app/report_files.hpp"
 #include "solver/app/scratch.hpp"
-#include "solver/app/size_estimate.hpp"
 #include "solver/app/state_files.hpp"
 #include "solver/app/stop_signals.hpp"
 
@@ -191,8 +190,7 @@ class Run : public Command {
     PreparedCase prepared = prepare(directory, options_);
     const std::vector<ReferenceTable> references =
         read_references(prepared.description);  // wrong ones before the solve
-    const solver::Plan plan = solver::plan(prepared.model, prepared.meshes);
-    refuse_large_plan(plan, prepared.memory_limit, prepared.description);
+    const solver::Plan plan = solver::plan(prepared);
     if (writes_) make_room(out);
     if (stopped()) return given_up(directory, "the solution began");
     if (!session_) {
@@ -280,11 +278,9 @@ class Run : public Command {
     const solver::KeptStates kept{states_, [&](double way, const postproc::RunResult& state) {
                                     if (writes_) states.write(way, state, out.aside());
                                   }};
-    postproc::RunResult run = solver::solve(
-        prepared.model, prepared.meshes, [&](const solver::Progress& progress) { line.show(progress); }, kept,
+    return solver::solve(
+        prepared, [&](const solver::Progress& progress) { line.show(progress); }, kept,
         [this] { return gave_up_ = gave_up_ || stopped(); }, journal);
-    run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
-    return run;
   }
 
   /// Nobody may be listening any more; that costs no solution. It is told at the end.

@@ -1,16 +1,14 @@
 #include "solver/app/shipped_cases.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+
+#include "solver/app/data_directory.hpp"
 
 namespace snug::app {
 
 namespace fs = std::filesystem;
 
-fs::path shipped_cases_folder() {
-  if (const char* folder = std::getenv("SNUG_CASES")) return folder;
-  return fs::path(SNUG_SOURCE_DIR) / "cases";
-}
+fs::path shipped_cases_folder() { return data_directory() / "cases"; }
 
 std::vector<std::string> shipped_cases() {
   std::vector<std::string> names;

@@ -7,8 +7,7 @@
 
 namespace snug::app {
 
-/// The folder of the shipped cases: SNUG_CASES of the environment, or cases/ of the source tree the program was built
-/// from.
+/// The folder of the shipped cases.
 std::filesystem::path shipped_cases_folder();
 
 /// Their names, relative to the folder: "thigh-sleeve", "verification/tube-sleeve", ...

@@ -4,7 +4,7 @@
 #include "cases/input/case.hpp"
 #include "solver/scene/run.hpp"
 
-namespace snug::app {
+namespace snug::solver {
 
 /// Bytes of the machine, or of the control group that this process is in.
 double memory_of_machine();
@@ -17,4 +17,4 @@ void refuse_large_garment(const input::GarmentSpec& garment, double cell_size, d
 /// The meshed case, of an imported body too. Throws input::InputError.
 void refuse_large_plan(const solver::Plan& plan, double limit, const input::Case& description);
 
-}  // namespace snug::app
+}  // namespace snug::solver

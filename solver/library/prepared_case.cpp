@@ -1,4 +1,4 @@
-#include "solver/app/prepared_case.hpp"
+#include "solver/library/prepared_case.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,10 +8,10 @@
 #include "mesh/body/import.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
-#include "solver/app/size_estimate.hpp"
+#include "solver/library/size_estimate.hpp"
 #include "solver/scene/garment_cells.hpp"
 
-namespace snug::app {
+namespace snug::solver {
 
 namespace {
 
@@ -45,48 +45,60 @@ void check_that_something_acts(const input::Case& description, const mesh::BodyM
                           "add [load] or a [[support]] that moves, or forces in " + description.body->mesh.string());
 }
 
-solver::Meshes make_body(const input::Case& description, const CaseOptions& options) {
-  solver::Meshes meshes;
+Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, double memory_limit) {
+  Meshes meshes;
   if (!description.body) return meshes;
   if (description.body->kind == "imported") {
     const bool model = mesh::is_model_file(description.body->mesh);
-    meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body, options.gmsh());
+    meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body, gmsh);
     check_that_something_acts(description, meshes.body);
     if (!description.garments.empty()) meshes.limb = limb_below(description.garments, meshes.body);
   } else {
-    refuse_large_body(description, options.memory_limit());
+    refuse_large_body(description, memory_limit);
     meshes.limb = mesh::make_limb(*description.body);
     meshes.body = mesh::make_body_mesh(*description.body, meshes.limb);
   }
   return meshes;
 }
 
-void add_garments(const solver::Model& model, const CaseOptions& options, solver::Meshes& meshes) {
+void add_garments(const Model& model, double memory_limit, Meshes& meshes) {
   for (std::size_t g = 0; g < model.garments.size(); ++g) {
     const input::GarmentSpec& spec = model.garments[g].spec;
-    const double cell_size = solver::worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body);
-    refuse_large_garment(spec, spec.cell_size > 0.0 ? spec.cell_size : cell_size, options.memory_limit());
+    const double cell_size = worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body);
+    refuse_large_garment(spec, spec.cell_size > 0.0 ? spec.cell_size : cell_size, memory_limit);
     meshes.garments.push_back(mesh::make_garment_mesh(spec, meshes.limb, cell_size));
   }
 }
 
 }  // namespace
 
-PreparedCase prepare(const std::filesystem::path& directory, const CaseOptions& options) {
+PreparedCase prepare(const std::filesystem::path& directory, const PrepareOptions& options) {
   PreparedCase prepared;
   const Stopwatch reading;
-  prepared.description = options.read(directory);
-  solver::make_model(prepared.description);  // names that are wrong should be said before minutes of meshing
+  prepared.description = input::read_case(directory, options.reading);
+  make_model(prepared.description);  // names that are wrong should be said before minutes of meshing
   if (prepared.description.comfort) postproc::load_evidence(*prepared.description.comfort, prepared.description.directory);
   prepared.phases.push_back({"reading", reading.seconds()});
   const Stopwatch meshing;
-  prepared.meshes = make_body(prepared.description, options);
-  prepared.model = solver::make_model(prepared.description, prepared.meshes.body);
-  add_garments(prepared.model, options, prepared.meshes);
+  prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
+  prepared.meshes = make_body(prepared.description, options.gmsh, prepared.memory_limit);
+  prepared.model = make_model(prepared.description, prepared.meshes.body);
+  add_garments(prepared.model, prepared.memory_limit, prepared.meshes);
   prepared.quality = mesh::quality(prepared.meshes.body);
-  prepared.memory_limit = options.memory_limit();
   prepared.phases.push_back({"meshing", meshing.seconds()});
   return prepared;
 }
 
-}  // namespace snug::app
+Plan plan(const PreparedCase& prepared) {
+  Plan planned = plan(prepared.model, prepared.meshes);
+  refuse_large_plan(planned, prepared.memory_limit, prepared.description);
+  return planned;
+}
+
+postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer, const KeptStates& kept, const Stop& stop, Journal* journal) {
+  postproc::RunResult run = solve(prepared.model, prepared.meshes, observer, kept, stop, journal);
+  run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
+  return run;
+}
+
+}  // namespace snug::solver

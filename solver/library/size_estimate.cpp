@@ -1,4 +1,4 @@
-#include "solver/app/size_estimate.hpp"
+#include "solver/library/size_estimate.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace snug::app {
+namespace snug::solver {
 
 namespace {
 
@@ -76,4 +76,4 @@ void refuse_large_plan(const solver::Plan& plan, double limit, const input::Case
                           "take fewer cells; --memory says what may be taken");
 }
 
-}  // namespace snug::app
+}  // namespace snug::solver

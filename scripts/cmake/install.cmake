@@ -1,0 +1,41 @@
+# What is installed, as two components: the program with its data, and the libraries for programs of others (development).
+include(CMakePackageConfigHelpers)
+set(include_folder ${CMAKE_INSTALL_INCLUDEDIR})
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/snug)
+set(data_folder ${CMAKE_INSTALL_DATADIR}/snug)
+
+install(TARGETS snug RUNTIME COMPONENT program)
+install(DIRECTORY cases/ DESTINATION ${data_folder}/cases COMPONENT program
+        REGEX "/cases/input$" EXCLUDE PATTERN "out" EXCLUDE PATTERN "out.*" EXCLUDE PATTERN "study" EXCLUDE)
+install(FILES scripts/picture.py scripts/film.py DESTINATION ${data_folder}/scripts COMPONENT program)
+install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
+# <snug/snug.hpp> and the headers that it reaches, with their paths, below include/snug. That folder is in the path of the
+# compiler, too, since the headers include each other from there.
+configure_file(solver/library/snug.hpp.in ${PROJECT_BINARY_DIR}/include/snug/snug.hpp @ONLY)
+set(rooms snug_input snug_mesh snug_materials snug_postproc snug_solver)
+foreach(room IN LISTS rooms)
+  target_include_directories(${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
+  if(SNUG_EIGEN_ALIGNMENT GREATER 16)  # libgmsh must not find this Eigen in a program of others, either
+    target_compile_options(${room} INTERFACE
+      $<INSTALL_INTERFACE:$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-fvisibility=hidden>>)
+    target_link_options(${room} INTERFACE $<INSTALL_INTERFACE:LINKER:--exclude-libs,ALL>)
+  endif()
+endforeach()
+install(FILES ${PROJECT_BINARY_DIR}/include/snug/snug.hpp DESTINATION ${include_folder}/snug COMPONENT development)
+install(CODE "set(source \"${PROJECT_SOURCE_DIR}\")
+set(first \"${PROJECT_BINARY_DIR}/include/snug/snug.hpp\")
+set(folder \"\${CMAKE_INSTALL_PREFIX}/${include_folder}/snug\")" COMPONENT development)
+install(SCRIPT scripts/cmake/public_headers.cmake COMPONENT development)
+
+install(TARGETS ${rooms} EXPORT snugTargets ARCHIVE COMPONENT development
+        INCLUDES DESTINATION ${include_folder} ${include_folder}/snug)
+install(EXPORT snugTargets NAMESPACE snug:: DESTINATION ${package_folder} COMPONENT development)
+get_property(linked_by_name GLOBAL PROPERTY SNUG_LINKED_BY_NAME)
+list(REMOVE_DUPLICATES linked_by_name)
+configure_package_config_file(scripts/cmake/snugConfig.cmake.in ${PROJECT_BINARY_DIR}/snugConfig.cmake
+                              INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/snugConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/snugConfig.cmake ${PROJECT_BINARY_DIR}/snugConfigVersion.cmake
+        DESTINATION ${package_folder} COMPONENT development)

@@ -1,0 +1,22 @@
+# Run by the installation: copies the headers that the file `first` reaches from the tree `source` to `folder`, with their paths.
+cmake_policy(VERSION 3.25)
+function(reach header)
+  get_property(reached GLOBAL PROPERTY SNUG_REACHED)
+  if(header IN_LIST reached)
+    return()
+  endif()
+  set_property(GLOBAL APPEND PROPERTY SNUG_REACHED ${header})
+  includes(${source}/${header})
+  get_filename_component(place ${header} DIRECTORY)
+  file(INSTALL ${source}/${header} DESTINATION ${folder}/${place})
+endfunction()
+
+function(includes file)
+  file(STRINGS ${file} lines REGEX "^#include \"")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" name ${line})
+    reach(${name})
+  endforeach()
+endfunction()
+
+includes(${first})
