@@ -39,3 +39,32 @@ configure_package_config_file(scripts/cmake/snugConfig.cmake.in ${PROJECT_BINARY
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/snugConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/snugConfig.cmake ${PROJECT_BINARY_DIR}/snugConfigVersion.cmake
         DESTINATION ${package_folder} COMPONENT development)
+
+# cpack -G DEB (scripts/package): one package a component.
+set(CPACK_PACKAGE_CONTACT "the authors of snug")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The authors of snug <snug@localhost>")
+set(CPACK_PACKAGE_VENDOR "snug")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS OFF)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_COMPONENTS_ALL program development)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME snug)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "pressure and comfort of a garment on a body by finite elements
+ snug meshes a body and a garment, solves their contact with finite elements
+ and writes ParaView files, tables, pressures by location, a comfort score and
+ a report. A case is a folder with one text file; examples are in
+ /usr/share/snug/cases.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+# The other BLAS solves four times slower; the rest are programs that some commands run: ranks, pictures and films, plots.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libopenblas0-pthread")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, python3-vtk9, xvfb, xauth, ffmpeg, gnuplot-nox")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libsnug-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "libraries of snug for programs of others
+ Headers, static libraries and the CMake package (find_package(snug),
+ snug::solver) of snug.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libdeal.ii-dev, libgmsh-dev, libvtk9-dev, libeigen3-dev, libgsl-dev, libfuzzylite-dev, libudunits2-dev, libfmt-dev")
+include(CPack)
