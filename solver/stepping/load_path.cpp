@@ -148,6 +148,10 @@ Homotopy fading() {
   return [](State& state, double t) { state.release = std::pow(100.0, t); };
 }
 
+Homotopy without_friction() {
+  return [](State& state, double) { state.load = state.release = 1.0; };
+}
+
 PathResult follow_path(Scene& scene, State start, const Homotopy& homotopy, const PathSettings& settings,
                        const IterationSink& sink) {
   return Walk(scene, std::move(start), homotopy, settings, sink).follow();

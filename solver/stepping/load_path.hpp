@@ -7,6 +7,9 @@ namespace snug::solver {
 
 class Journal;
 
+/// Of the last state where cloth rubs: Newton's method converges linearly there, and its last step overshoots less than elsewhere.
+constexpr double rubbing_residual = 1e-10;
+
 struct PathSettings {
   double first_step = 1.0;      ///< the whole path; what fails is halved
   double intermediate_residual = 1e-3;
@@ -32,6 +35,8 @@ Homotopy releasing(double factor);
 Homotopy letting_go();
 /// The coefficient of friction falls a hundredfold.
 Homotopy fading();
+/// Nothing changes but that friction is gone: the state is brought to full load.
+Homotopy without_friction();
 
 struct PathResult {
   State state = {};             ///< the last converged one

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "solver/stepping/load_path.hpp"
 #include "solver/stepping/newton.hpp"
+#include "solver/stepping/stages.hpp"
 #include "tests/unit/solver/terms.hpp"
 
 namespace snug::tests {
@@ -122,6 +124,39 @@ TEST(Supports, MoveWithTheLoad) {
   EXPECT_EQ(states, 3);
 }
 
+/// The stages of every way of a case, "a, b | c": by name.
+std::string stages(const input::Case& c) {
+  const solver::Meshes meshes = make_meshes(c);
+  const solver::Model model = solver::make_model(c, meshes.body), worn = model.with_friction(solver::usual_friction);
+  std::string text;
+  for (const solver::Way& way : solver::ways_of(model, worn, meshes, false)) {
+    if (!text.empty()) text += " | ";
+    for (const solver::Stage& stage : way.stages) text += (&stage == &way.stages.front() ? "" : ", ") + stage.name;
+    EXPECT_FALSE(way.stages.back().leads_on) << "the last stage of " << text << " ends in the answer";
+  }
+  return text;
+}
+
+// A case walks the stages that it needs and no others; where a held garment does not rub, another way stands in.
+TEST(Stage, AreThoseOfTheCase) {
+  input::Case c = describe_tube(coarse());
+  c.contacts.front().friction = 0.0;
+  const std::string rubbing = "tightening where it was placed, releasing the body, letting go";
+  EXPECT_EQ(stages(c), "rigid skin, body | " + rubbing + ", fading friction, without friction");
+  c.solver.tier = "L1";
+  EXPECT_EQ(stages(c), "rigid skin | tightening where it was placed, letting go, fading friction, without friction");
+  c.garments.front().held.clear();
+  EXPECT_EQ(stages(c), "rigid skin");  // it would slide off on the other way, too
+  c.contacts.front().friction = 0.4;
+  EXPECT_EQ(stages(c), "tightening where it was placed, letting go");
+  c.solver.tier = "L4";
+  EXPECT_EQ(stages(c), rubbing);
+  c.contacts.clear();
+  EXPECT_EQ(stages(c), "body");
+  c.solver.tier = "L0";
+  EXPECT_EQ(stages(c), "");
+}
+
 // Every stage ends in the scene that the case describes: the whole load, the body's own stiffness, friction's own bound.
 TEST(Stage, EndsInTheSceneOfTheCase) {
   solver::State state;
@@ -174,8 +209,13 @@ void expect_rigid_skin(const postproc::RunResult& result) {
   for (const Eigen::Vector3d& u : result.body.displacement) EXPECT_EQ(u.norm(), 0.0);
 }
 
-// Where nothing of the body converged, the garment on the rigid skin is the result, and the run is partial.
-TEST(Partial, ABodyThatDoesNotConvergeLeavesTheAnswerOnTheRigidSkin) { expect_rigid_skin(stopped_in("body", 0.3)); }
+// Where nothing of the body converged, the garment on the rigid skin is the result, and the run is partial. With friction it
+// still sticks there where it was placed.
+TEST(Partial, ABodyThatDoesNotConvergeLeavesTheAnswerOnTheRigidSkin) {
+  const postproc::RunResult result = stopped_in("body", 0.3);
+  expect_rigid_skin(result);
+  EXPECT_TRUE(std::isinf(result.truth.friction_bound));
+}
 
 // The same without friction, although another way stands in there where the body fails.
 TEST(Partial, ARunThatIsStoppedLooksForNoOtherWay) { expect_rigid_skin(stopped_in("body", 0.0)); }
