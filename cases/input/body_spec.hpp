@@ -13,12 +13,33 @@
 
 namespace snug::input {
 
+enum class LayerForm { rigid, solid, membrane, shell };
+constexpr auto texts_of(LayerForm) { return std::array{"rigid", "solid", "membrane", "shell"}; }
+
+/// An axis of a scanned surface's file.
+enum class FileAxis { x, y, z, minus_x, minus_y, minus_z };
+constexpr auto texts_of(FileAxis) { return std::array{"x", "y", "z", "-x", "-y", "-z"}; }
+
+enum class BodyKind { stations, scan, imported };
+constexpr auto texts_of(BodyKind) { return std::array{"stations", "scan", "imported"}; }
+
+enum class Facets { curved, flat };
+constexpr auto texts_of(Facets) { return std::array{"curved", "flat"}; }
+
+/// Displacement/pressure of the cells.
+enum class Elements { Q2P1, Q1P0, P2P1 };
+constexpr auto texts_of(Elements) { return std::array{"Q2/P1", "Q1/P0", "P2/P1"}; }
+
+/// Cut planes of a limb: no displacement along the axis, free, fixed.
+enum class Ends { sliding, free, fixed };
+constexpr auto texts_of(Ends) { return std::array{"sliding", "free", "fixed"}; }
+
 /// One layer of the body, listed from the inside out.
 struct LayerSpec {
   std::string name;
   MaterialReference material;
   std::optional<double> thickness;  ///< m; one solid layer may leave it out and takes the rest
-  std::string form = "solid";       ///< rigid | solid | membrane (skin: membrane by default) | shell
+  LayerForm form = LayerForm::solid;
   double foundation = 0.0;          ///< Pa/m, under a shell
   int cells = 2;                    ///< hexahedra through the layer (solid)
   Location where;
@@ -37,8 +58,7 @@ struct LayerSpec {
           self.thickness);
     field(Field{.key = "form",
                 .meaning = "left out: rigid for the material \"rigid\", membrane for an outermost layer with a "
-                           "thickness (skin), solid for the others; shell: surfaces of an imported mesh that stretch and bend",
-                .choices = {"rigid", "solid", "membrane", "shell"}},
+                           "thickness (skin), solid for the others; shell: surfaces of an imported mesh that stretch and bend"},
           self.form);
     field(Field{.key = "foundation",
                 .unit = "Pa/m",
@@ -117,14 +137,13 @@ struct CutPlane {
 struct ScanSpec {
   std::filesystem::path surface;      ///< OBJ, STL or v/f text
   double unit = 1.0;                  ///< metres per file unit
-  std::string up = "z", front = "y";  ///< file axes that become +z and +y ("y", "-z", ...)
+  FileAxis up = FileAxis::z, front = FileAxis::y;  ///< that become +z and +y
   CutPlane lower, upper;              ///< in the file's frame, in metres
   double smoothing_radius = 0.0;      ///< m; 0 = two cell widths
   BoneSpec bone;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    const std::vector<std::string> axes = {"x", "y", "z", "-x", "-y", "-z"};
     field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL or v/f text", .required = true},
           self.surface);
     field(Field{.key = "unit",
@@ -132,8 +151,8 @@ struct ScanSpec {
                 .meaning = "length of one unit of the file, e.g. \"1 mm\"",
                 .bound = positive()},
           self.unit);
-    field(Field{.key = "up", .meaning = "axis of the file that points up", .choices = axes}, self.up);
-    field(Field{.key = "front", .meaning = "axis of the file that points to the front", .choices = axes}, self.front);
+    field(Field{.key = "up", .meaning = "axis of the file that points up"}, self.up);
+    field(Field{.key = "front", .meaning = "axis of the file that points to the front"}, self.front);
     field(Field{.key = "lower", .meaning = "plane of the lower cut", .required = true}, self.lower);
     field(Field{.key = "upper", .meaning = "plane of the upper cut", .required = true}, self.upper);
     field(Field{.key = "smoothing_radius",
@@ -146,7 +165,7 @@ struct ScanSpec {
 };
 
 struct BodySpec {
-  std::string kind = "stations";   ///< stations | scan | imported
+  BodyKind kind = BodyKind::stations;
   std::filesystem::path stations;  ///< CSV
   std::filesystem::path mesh;      ///< gmsh file
   double unit = 1.0;               ///< metres per unit of that file
@@ -155,16 +174,15 @@ struct BodySpec {
   std::vector<LayerSpec> layers;
   std::vector<LocationSpec> locations;
   int cells_around = 24, cells_along = 12;
-  std::string facets = "curved";  ///< curved | flat
-  std::string elements = "Q2/P1";  ///< Q2/P1 | Q1/P0 | P2/P1
-  std::string ends = "sliding";  ///< cut planes: sliding (no axial displacement) | free | fixed
+  Facets facets = Facets::curved;
+  Elements elements = Elements::Q2P1;
+  Ends ends = Ends::sliding;
   Location where;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "kind",
-                .meaning = "stations: girths along an axis; scan: a surface and two cut planes; imported: a mesh of cells",
-                .choices = {"stations", "scan", "imported"}},
+                .meaning = "stations: girths along an axis; scan: a surface and two cut planes; imported: a mesh of cells"},
           self.kind);
     field(Field{.key = "stations",
                 .meaning = "CSV file of the girths: height, girth, width_to_depth, centre_x, centre_y, "
@@ -197,18 +215,15 @@ struct BodySpec {
           self.cells_along);
     field(Field{.key = "facets",
                 .meaning = "curved: the cells follow the body; flat: straight edges between corners, to see what "
-                           "curved ones bring",
-                .choices = {"curved", "flat"}},
+                           "curved ones bring"},
           self.facets);
     field(Field{.key = "elements",
                 .meaning = "displacement/pressure of the cells. Q2/P1: quadratic hexahedra; Q1/P0: linear hexahedra, a "
                            "fast preview; P2/P1: quadratic tetrahedra, six in each hexahedron. Tetrahedra of a mesh file "
-                           "are P2/P1",
-                .choices = {"Q2/P1", "Q1/P0", "P2/P1"}},
+                           "are P2/P1"},
           self.elements);
     field(Field{.key = "ends",
-                .meaning = "cut planes of a limb: sliding (no displacement along the axis), free or fixed",
-                .choices = {"sliding", "free", "fixed"}},
+                .meaning = "cut planes of a limb: sliding (no displacement along the axis), free or fixed"},
           self.ends);
   }
 };

@@ -1,12 +1,14 @@
 // The typed content of a case directory: plain structs, every value in SI, every error already reported.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cases/input/body_spec.hpp"
+#include "cases/input/choice.hpp"
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/garment_spec.hpp"
 #include "cases/input/load_spec.hpp"
@@ -16,11 +18,23 @@
 
 namespace snug::input {
 
+/// Test functions of the weighted gap.
+enum class GapTests { hat, dual };
+constexpr auto texts_of(GapTests) { return std::array{"hat", "dual"}; }
+
+/// How much of the body is solved: nothing (law of Laplace), the garment on the rigid skin, the layered body.
+enum class Tier { L0, L1, L4 };
+constexpr auto texts_of(Tier) { return std::array{"L0", "L1", "L4"}; }
+
+/// How the load of a body without a garment grows.
+enum class LoadPath { load, arc_length };
+constexpr auto texts_of(LoadPath) { return std::array{"load", "arc length"}; }
+
 /// A pair of surfaces that touch: a garment and the skin, or two surfaces of the body.
 struct ContactSpec {
   std::string slave;               ///< a garment, or a surface of the body; empty: every garment that no other contact names
   std::string master = "skin";     ///< a surface of the body
-  std::string basis = "hat";       ///< hat | dual: test functions of the weighted gap
+  GapTests basis = GapTests::hat;
   std::optional<double> friction;  ///< coefficient; see solver/scene/friction_choice
   bool spread = false;             ///< what other ways of putting the garment on would change
   Location where = {};
@@ -32,8 +46,7 @@ struct ContactSpec {
                            "every garment that no other contact names"},
           self.slave);
     field(Field{.key = "master", .meaning = "what it touches: a surface of the body"}, self.master);
-    field(Field{.key = "basis", .meaning = "test functions of the weighted gap", .choices = {"hat", "dual"}},
-          self.basis);
+    field(Field{.key = "basis", .meaning = "test functions of the weighted gap"}, self.basis);
     field(Field{.key = "friction",
                 .meaning = "coefficient of friction; left out: of a garment on the skin the fabric's own (MIU), else 0.3; of two "
                            "surfaces of the body none. 0: none, for verification",
@@ -77,21 +90,19 @@ struct ComfortSpec {
 };
 
 struct SolverSpec {
-  std::string tier = "L4";    ///< L0 | L1 | L4
-  std::string path = "load";  ///< load | arc length
+  Tier tier = Tier::L4;
+  LoadPath path = LoadPath::load;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "tier",
                 .meaning = "L0: tension times curvature on the undeformed skin; L1: rigid skin; "
-                           "L4: nonlinear layered body",
-                .choices = {"L0", "L1", "L4"}},
+                           "L4: nonlinear layered body"},
           self.tier);
     field(Field{.key = "path",
                 .meaning = "how the load of a body without a garment grows. load: in increments; where a largest load ends "
                            "them, along the curve of equilibria, which goes on with less load. arc length: along that curve "
-                           "from a twentieth of the load on",
-                .choices = {"load", "arc length"}},
+                           "from a twentieth of the load on"},
           self.path);
   }
 };

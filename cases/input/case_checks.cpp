@@ -23,28 +23,28 @@ std::vector<Unavailable> unavailable() {
 
 void check_shells(const BodySpec& body, Diagnostics& diagnostics) {
   for (const LayerSpec& layer : body.layers) {
-    if (layer.form == "shell" && body.kind != "imported")
+    if (layer.form == LayerForm::shell && body.kind != BodyKind::imported)
       diagnostics.error(layer.where, fmt::format("layer \"{}\" is a shell", layer.name),
                         "shells are surfaces of an imported mesh: kind = \"imported\"");
-    if (layer.form == "shell" && !layer.thickness && body.mesh.extension() == ".msh")
+    if (layer.form == LayerForm::shell && !layer.thickness && body.mesh.extension() == ".msh")
       diagnostics.error(layer.where, fmt::format("the shell \"{}\" has no thickness", layer.name),
                         "give it, e.g. thickness = \"2 mm\"");
-    if (layer.form != "shell" && layer.foundation != 0.0)
+    if (layer.form != LayerForm::shell && layer.foundation != 0.0)
       diagnostics.error(layer.where, fmt::format("layer \"{}\" has a foundation and is no shell", layer.name),
                         "write form = \"shell\" or leave foundation out");
   }
 }
 
 void check_layer_order(const std::vector<LayerSpec>& layers, Diagnostics& diagnostics) {
-  if (layers.front().form == "solid" && layers.front().thickness)
+  if (layers.front().form == LayerForm::solid && layers.front().thickness)
     diagnostics.error(layers.front().where, fmt::format("the innermost layer \"{}\" has a thickness", layers.front().name),
                       "begin with the bone, rigid or elastic, and leave its thickness out: its outline comes from the "
                       "stations or the scan");
   for (std::size_t n = 1; n < layers.size(); ++n) {
-    if (layers[n].form == "rigid")
+    if (layers[n].form == LayerForm::rigid)
       diagnostics.error(layers[n].where, fmt::format("the rigid layer \"{}\" is not the innermost", layers[n].name),
                         "list the bone first; only it can be rigid");
-    if (layers[n].form == "membrane" && n + 1 != layers.size())
+    if (layers[n].form == LayerForm::membrane && n + 1 != layers.size())
       diagnostics.error(layers[n].where, fmt::format("the membrane \"{}\" is not the outermost layer", layers[n].name),
                         "list the skin last, or give this layer form = \"solid\"");
   }
@@ -54,13 +54,13 @@ void check_thicknesses(const BodySpec& body, Diagnostics& diagnostics) {
   std::vector<std::string> open;
   int solids = 0;
   for (const LayerSpec& layer : body.layers) {
-    if (layer.form == "membrane" && !layer.thickness)
+    if (layer.form == LayerForm::membrane && !layer.thickness)
       diagnostics.error(layer.where, fmt::format("the membrane \"{}\" has no thickness", layer.name),
                         "give it, e.g. thickness = \"1.5 mm\"");
-    if (layer.form == "rigid" && layer.thickness)
+    if (layer.form == LayerForm::rigid && layer.thickness)
       diagnostics.error(layer.where, fmt::format("the rigid layer \"{}\" has a thickness", layer.name),
                         "leave it out: the outline of the bone comes from the stations or the scan");
-    if (layer.form != "solid" || &layer == &body.layers.front()) continue;  // an elastic bone has its outline
+    if (layer.form != LayerForm::solid || &layer == &body.layers.front()) continue;  // an elastic bone has its outline
     ++solids;
     if (!layer.thickness) open.push_back(layer.name);
   }
@@ -101,26 +101,27 @@ void check_locations(const BodySpec& body, Diagnostics& diagnostics) {
 
 void check_kind(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
   struct Kind {
-    std::string kind, key, what, remedy;
+    BodyKind kind;
+    std::string key, what, remedy;
   };
   const std::vector<Kind> kinds = {
-      {"stations", "stations", "stations", "name the CSV file of the girths: stations = \"body/limb.csv\""},
-      {"scan", "scan", "a section [body.scan]", "add [body.scan] with surface, lower, upper and bone"},
-      {"imported", "mesh", "a mesh", "name its file (.msh, .cdb, .inp): mesh = \"body/limb.msh\""}};
+      {BodyKind::stations, "stations", "stations", "name the CSV file of the girths: stations = \"body/limb.csv\""},
+      {BodyKind::scan, "scan", "a section [body.scan]", "add [body.scan] with surface, lower, upper and bone"},
+      {BodyKind::imported, "mesh", "a mesh", "name its file (.msh, .cdb, .inp): mesh = \"body/limb.msh\""}};
   for (const Kind& kind : kinds) {
     if (kind.kind == body.kind && !table.find(kind.key))
-      diagnostics.error(body.where, fmt::format("kind = \"{}\" needs {}", body.kind, kind.what), kind.remedy);
+      diagnostics.error(body.where, fmt::format("kind = \"{}\" needs {}", text_of(body.kind), kind.what), kind.remedy);
     if (kind.kind != body.kind && table.find(kind.key))
       diagnostics.error(table.where_is(kind.key),
-                        fmt::format("{} is given, but kind = \"{}\" does not use it", kind.key, body.kind),
-                        fmt::format("leave it out or write kind = \"{}\"", kind.kind));
+                        fmt::format("{} is given, but kind = \"{}\" does not use it", kind.key, text_of(body.kind)),
+                        fmt::format("leave it out or write kind = \"{}\"", text_of(kind.kind)));
   }
 }
 
 /// The layers of an imported mesh are named in any order; sizes come from the mesh.
 void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
   for (const LayerSpec& layer : body.layers)
-    if (layer.form == "solid" && layer.thickness)
+    if (layer.form == LayerForm::solid && layer.thickness)
       diagnostics.error(layer.where, fmt::format("layer \"{}\" of an imported mesh has a thickness", layer.name),
                         "leave it out: the mesh says where the layer is");
   if (const std::string ending = body.mesh.extension().string(); ending == ".msh" && table.find("force_unit"))
@@ -136,12 +137,12 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   check_names(body, diagnostics);
   check_shells(body, diagnostics);
   check_locations(body, diagnostics);
-  const bool own_layers = body.kind == "imported" && !table.find("layers");  // the file has them, or its reader says so
+  const bool own_layers = body.kind == BodyKind::imported && !table.find("layers");  // the file has them, or its reader says so
   if (own_layers) return check_imported(body, table, diagnostics);
   if (body.layers.empty())
     return diagnostics.error(table.find("layers") ? table.where_is("layers") : body.where, "the body has no layers",
                              "list them from the inside out, the bone first");
-  if (body.kind == "imported") return check_imported(body, table, diagnostics);
+  if (body.kind == BodyKind::imported) return check_imported(body, table, diagnostics);
   check_layer_order(body.layers, diagnostics);
   check_thicknesses(body, diagnostics);
 }
@@ -212,8 +213,8 @@ void check_contacts(const Case& c, Diagnostics& diagnostics) {
                         "a garment touches the skin: leave master out. A garment on another one is not available yet");
     if (solids && contact.slave == contact.master)
       diagnostics.error(contact.where, fmt::format("\"{}\" is to touch itself", contact.slave), "name two surfaces");
-    if (solids && c.solver.tier != "L4")
-      diagnostics.error(contact.where, fmt::format("tier {} has a rigid body, whose surfaces do not move", c.solver.tier),
+    if (solids && c.solver.tier != Tier::L4)
+      diagnostics.error(contact.where, fmt::format("tier {} has a rigid body, whose surfaces do not move", text_of(c.solver.tier)),
                         "use tier L4 or leave this [[contact]] out");
   }
   for (const GarmentSpec& garment : c.garments)
@@ -254,7 +255,7 @@ void check_reference(const Case& description, const Table& root, Diagnostics& di
 }
 
 void check_path(const Case& c, const Table& root, Diagnostics& diagnostics) {
-  if (c.solver.path != "arc length") return;
+  if (c.solver.path != LoadPath::arc_length) return;
   const Location where = root.where_is("solver");
   if (!c.garments.empty())
     diagnostics.error(where, "path = \"arc length\" is for loads on a body, and here a garment tightens", "leave path out");
@@ -265,14 +266,14 @@ void check_path(const Case& c, const Table& root, Diagnostics& diagnostics) {
 }
 
 void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
-  if (c.solver.tier == "L4") return;
+  if (c.solver.tier == Tier::L4) return;
   if (root.find("load"))
     diagnostics.error(root.where_is("load"),
-                      fmt::format("tier {} has a rigid body, which no [load] deforms", c.solver.tier),
+                      fmt::format("tier {} has a rigid body, which no [load] deforms", text_of(c.solver.tier)),
                       "use tier L4 or leave [load] out");
   for (const SupportSpec& support : c.support)
     if (support.moves())
-      diagnostics.error(support.where, fmt::format("tier {} has a rigid body, which no [[support]] moves", c.solver.tier),
+      diagnostics.error(support.where, fmt::format("tier {} has a rigid body, which no [[support]] moves", text_of(c.solver.tier)),
                         "use tier L4 or leave the support out");
 }
 
@@ -297,7 +298,7 @@ void complete(Case& description, const Table& root) {
     const Table* table = (*given->array())[n].table();
     if (!table || table->find("form")) continue;
     const bool skin = n > 0 && n + 1 == layers.size() && layers[n].thickness;
-    layers[n].form = layers[n].material.name == "rigid" ? "rigid" : skin ? "membrane" : "solid";
+    layers[n].form = layers[n].material.name == "rigid" ? LayerForm::rigid : skin ? LayerForm::membrane : LayerForm::solid;
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/input/case.hpp"
+#include "cases/input/choice.hpp"
 #include "cases/input/field.hpp"
 #include "cases/input/table.hpp"
 
@@ -58,6 +59,10 @@ class Echo {
   template <class T, std::size_t N>
   std::optional<Value> value_of(const Field& field, const std::array<T, N>& member) const {
     return list_of(field, member);
+  }
+  template <Choice T>
+  std::optional<Value> value_of(const Field& field, const T& member) const {
+    return value_of(field, text_of(member));
   }
   template <class T>
   std::optional<Value> value_of(const Field&, const T& member) const {

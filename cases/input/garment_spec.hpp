@@ -1,6 +1,7 @@
 // What a case says about the garment.
 #pragma once
 
+#include <array>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -11,14 +12,25 @@
 
 namespace snug::input {
 
+enum class PatternKind { tube };
+constexpr auto texts_of(PatternKind) { return std::array{"tube"}; }
+
+/// Direction against the body's axis.
+enum class WarpDirection { along, around };
+constexpr auto texts_of(WarpDirection) { return std::array{"along", "around"}; }
+
+/// Displacement that a held edge has not: along the skin in the direction of the axis, or any.
+enum class HeldDirection { axis, all };
+constexpr auto texts_of(HeldDirection) { return std::array{"axis", "all"}; }
+
 struct PatternSpec {
-  std::string kind = "tube";
+  PatternKind kind = PatternKind::tube;
   double flat_circumference = 0.0;  ///< m
   double length = 0.0;              ///< m
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length", .choices = {"tube"}}, self.kind);
+    field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length"}, self.kind);
     field(Field{.key = "flat_circumference",
                 .unit = "m",
                 .meaning = "circumference of the tube as cut, without tension",
@@ -36,7 +48,7 @@ struct PatternSpec {
 
 struct HeldEdge {
   std::string edge;           ///< upper | lower
-  std::string held = "axis";  ///< axis: no displacement along the skin in the direction of the axis | all
+  HeldDirection held = HeldDirection::axis;
   Location where = {};
 
   template <class Self, class Visitor>
@@ -44,8 +56,7 @@ struct HeldEdge {
     field(Field{.key = "edge", .meaning = "edge of the garment", .required = true, .choices = {"upper", "lower"}},
           self.edge);
     field(Field{.key = "held",
-                .meaning = "axis: no displacement along the skin in the direction of the body's axis; all: none at all",
-                .choices = {"axis", "all"}},
+                .meaning = "axis: no displacement along the skin in the direction of the body's axis; all: none at all"},
           self.held);
   }
 };
@@ -54,7 +65,7 @@ struct GarmentSpec {
   std::string name = "garment";
   PatternSpec pattern;
   MaterialReference fabric;
-  std::string warp = "along";  ///< along | around the body's axis
+  WarpDirection warp = WarpDirection::along;
   double position = 0.0;       ///< m; height of the lower edge as placed
   double seam = std::numbers::pi;  ///< rad; where it lies round the limb
   double cell_size = 0.0;      ///< m, on the pattern; 0 = by the skin's cells
@@ -69,10 +80,7 @@ struct GarmentSpec {
     field(Field{.key = "pattern", .meaning = "the pieces as cut", .required = true}, self.pattern);
     field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values", .required = true},
           self.fabric);
-    field(
-        Field{
-            .key = "warp", .meaning = "warp (wale) direction against the body's axis", .choices = {"along", "around"}},
-        self.warp);
+    field(Field{.key = "warp", .meaning = "warp (wale) direction against the body's axis"}, self.warp);
     field(Field{.key = "position", .unit = "m", .meaning = "height of the lower edge as placed", .required = true},
           self.position);
     field(Field{.key = "seam",

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/input/choice.hpp"
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/field.hpp"
 #include "cases/input/table.hpp"
@@ -69,6 +70,14 @@ class Reader {
     if (!items) return;
     if (items->size() != N) return wrong_length(field, value, N);
     for (std::size_t i = 0; i < N; ++i) convert(field, (*items)[i], member[i]);
+  }
+  template <Choice T>
+  void convert(const Field& field, const Value& value, T& member) const {
+    Field texts = field;
+    texts.choices = choices_of<T>();
+    std::string text = text_of(member);
+    convert(texts, value, text);
+    member = choice_of<T>(text).value_or(member);
   }
   template <class T>
   void convert(const Field& field, const Value& value, T& member) const;

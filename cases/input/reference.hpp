@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "cases/input/choice.hpp"
 #include "cases/input/case.hpp"
 #include "cases/input/field.hpp"
 
@@ -59,6 +60,12 @@ class Reference {
     const std::size_t own = rows_.size();
     add(field, key, T{}, "list of " + std::to_string(N) + " ");
     rows_[own].default_value.clear();
+  }
+  template <Choice T>
+  void add(const Field& field, const std::string& key, const T& member, const std::string& list) {
+    Field texts = field;
+    texts.choices = choices_of<T>();
+    add(texts, key, text_of(member), list);
   }
   template <class T>
   void add(const Field& field, const std::string& key, const T& member, const std::string& list) {

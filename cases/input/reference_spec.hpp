@@ -1,6 +1,7 @@
 // What a case is compared with: nodal tables of another program or of an earlier run.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,6 +9,14 @@
 #include "cases/input/field.hpp"
 
 namespace snug::input {
+
+/// Of a shell, along its normal and against it.
+enum class StressSurface { all, top, middle, bottom };
+constexpr auto texts_of(StressSurface) { return std::array{"all", "top", "middle", "bottom"}; }
+
+/// How nodes find each other.
+enum class NodeMatch { automatic, number, coordinates };
+constexpr auto texts_of(NodeMatch) { return std::array{"automatic", "number", "coordinates"}; }
 
 /// A table of displacements. A node may differ by relative * (largest displacement of the table) + absolute.
 struct DisplacementReference {
@@ -34,7 +43,7 @@ struct StressReference {
   std::filesystem::path file;
   double relative = 1e-3;
   double absolute = 0.0;        ///< Pa
-  std::string surface = "all";  ///< of shells
+  StressSurface surface = StressSurface::all;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -48,8 +57,7 @@ struct StressReference {
         Field{.key = "absolute", .unit = "Pa", .meaning = "what a node may differ by besides", .bound = non_negative()},
         self.absolute);
     field(Field{.key = "surface",
-                .meaning = "surface of a shell whose stresses are taken",
-                .choices = {"all", "top", "middle", "bottom"}},
+                .meaning = "surface of a shell whose stresses are taken"},
           self.surface);
   }
 };
@@ -58,7 +66,7 @@ struct ReferenceSpec {
   std::optional<DisplacementReference> displacement;
   std::optional<StressReference> stress;
   std::optional<std::filesystem::path> nodes;
-  std::string match = "automatic";
+  NodeMatch match = NodeMatch::automatic;
   double length_unit = 1.0;  ///< m
   double stress_unit = 1.0;  ///< Pa
 
@@ -69,8 +77,7 @@ struct ReferenceSpec {
     field(Field{.key = "nodes", .meaning = "listing of the undeformed nodes (NLIST) of the tables"}, self.nodes);
     field(Field{.key = "match",
                 .meaning = "how nodes find each other; automatic: by number where the places agree or are not known, "
-                           "else by coordinates",
-                .choices = {"automatic", "number", "coordinates"}},
+                           "else by coordinates"},
           self.match);
     field(Field{.key = "length_unit",
                 .unit = "m",

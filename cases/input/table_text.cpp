@@ -81,23 +81,6 @@ void write_section(const Table& table, const std::string& prefix, std::string& t
   }
 }
 
-void pad(std::string& text, int length) {
-  if (static_cast<int>(text.size()) < length) text.append(length - text.size(), ' ');
-}
-
-std::string on_one_line(const Table& table) {
-  std::string text = "{";
-  for (const Entry& entry : table.entries) {
-    if (text.size() > 1) text += ",";
-    const std::string key = key_text(entry.key) + "=";
-    pad(text, entry.where.column - table.where.column);
-    text += key;
-    pad(text, entry.value.where.column - table.where.column);
-    text += inline_text(entry.value);
-  }
-  return text + "}";
-}
-
 }  // namespace
 
 std::string Value::description() const {

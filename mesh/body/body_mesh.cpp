@@ -33,7 +33,7 @@ Grid checked_grid(const input::BodySpec& spec, const Layering& layering) {
   if (layering.bone() && spec.cells_around % 4 != 0)
     throw input::InputError(spec.where, fmt::format("{} cells around an elastic bone", spec.cells_around),
                             "write a multiple of 4: the bone is meshed round a square");
-  if (layering.bone() && spec.elements == "P2/P1")
+  if (layering.bone() && spec.elements == input::Elements::P2P1)
     throw input::InputError(spec.where, "elements = \"P2/P1\" with an elastic bone",
                             "use Q2/P1 or Q1/P0, or make the bone rigid");
   Grid grid{spec.cells_around, spec.cells_along, 0, layering.bone() ? layering.bone()->cells : 0};
@@ -140,8 +140,8 @@ void straighten(BodyMesh& mesh) {
     }
 }
 
-CellKind kind_of(const std::string& elements) {
-  return elements == "Q1/P0" ? CellKind::hex8 : elements == "P2/P1" ? CellKind::tet10 : CellKind::hex27;
+CellKind kind_of(input::Elements elements) {
+  return elements == input::Elements::Q1P0 ? CellKind::hex8 : elements == input::Elements::P2P1 ? CellKind::tet10 : CellKind::hex27;
 }
 
 }  // namespace
@@ -166,7 +166,7 @@ BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   for (const auto& layer : layering.solids()) mesh.layers.push_back({layer.name, layer.material});
   for (const auto& layer : layering.membranes())
     mesh.membranes.push_back({layer.name, layer.material, *layer.thickness});
-  if (spec.facets == "flat") straighten(mesh);
+  if (spec.facets == input::Facets::flat) straighten(mesh);
   check_cells(mesh, limb, spec.where);
   collect_surfaces(lattice, grid, mesh);
   mesh.mean_skin_cell = mean_edge(mesh, mesh.skin_facets);

@@ -70,11 +70,11 @@ class Conversion {
                                      first.number, to_string(first.kind)),
                          "give a body of hexahedra, of tetrahedra or of shells only");
     }
-    if (is_tetrahedron(first.kind) && spec_.elements == "Q1/P0")
+    if (is_tetrahedron(first.kind) && spec_.elements == input::Elements::Q1P0)
       throw InputError(spec_.where, file_ + " has tetrahedra, which cannot be Q1/P0", "leave elements out");
-    if (!is_tetrahedron(first.kind) && spec_.elements == "P2/P1")
+    if (!is_tetrahedron(first.kind) && spec_.elements == input::Elements::P2P1)
       throw InputError(spec_.where, file_ + " has hexahedra, which cannot be P2/P1", "leave elements out");
-    mesh_.kind = is_tetrahedron(first.kind) ? CellKind::tet10 : spec_.elements == "Q1/P0" ? CellKind::hex8 : CellKind::hex27;
+    mesh_.kind = is_tetrahedron(first.kind) ? CellKind::tet10 : spec_.elements == input::Elements::Q1P0 ? CellKind::hex8 : CellKind::hex27;
   }
 
   /// Nodes in the order of their numbers; those of no element are left out.

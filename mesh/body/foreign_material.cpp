@@ -70,8 +70,8 @@ std::vector<Layer> foreign_layers(const Model& model, const input::BodySpec& spe
     }
   }
   for (const input::LayerSpec& layer : spec.layers) {
-    if (layer.form != "solid" && layer.form != "shell")
-      throw InputError(layer.where, fmt::format("layer \"{}\" is {}", layer.name, layer.form),
+    if (layer.form != input::LayerForm::solid && layer.form != input::LayerForm::shell)
+      throw InputError(layer.where, fmt::format("layer \"{}\" is {}", layer.name, text_of(layer.form)),
                        "the layers of an APDL or CalculiX file are solid or shells by their elements; hold nodes with [[support]]");
     if (std::none_of(layers.begin(), layers.end(), [&](const Layer& l) { return l.name == layer.name; }))
       throw InputError(layer.where, fmt::format("{} has no material \"{}\"", spec.mesh.string(), layer.name),

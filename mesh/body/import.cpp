@@ -46,11 +46,11 @@ CellKind kind_of(const input::BodySpec& spec, const GmshMesh& mesh) {
   }
   const int type = *present.begin();
   const bool tetrahedra = type == tet4 || type == tet10;
-  if (tetrahedra && spec.elements == "Q1/P0")
+  if (tetrahedra && spec.elements == input::Elements::Q1P0)
     throw InputError(spec.where, file + " has tetrahedra, which cannot be Q1/P0", "leave elements out, or write \"P2/P1\"");
-  if (!tetrahedra && spec.elements == "P2/P1")
+  if (!tetrahedra && spec.elements == input::Elements::P2P1)
     throw InputError(spec.where, file + " has hexahedra, which cannot be P2/P1", "leave elements out, or write \"Q1/P0\"");
-  if (spec.elements == "Q1/P0") return CellKind::hex8;
+  if (spec.elements == input::Elements::Q1P0) return CellKind::hex8;
   return tetrahedra ? CellKind::tet10 : CellKind::hex27;
 }
 
@@ -101,12 +101,12 @@ class Import {
   }
 
   void read_layer(const input::LayerSpec& layer) {
-    if (layer.form == "membrane") {
+    if (layer.form == input::LayerForm::membrane) {
       mesh_.membranes.push_back({layer.name, layer.material, *layer.thickness});
       return;
     }
     const GmshGroup* group = volume(layer.name);
-    if (layer.form == "rigid") {
+    if (layer.form == input::LayerForm::rigid) {
       rigid_ = layer.name, rigid_where_ = layer.where;
       if (group) rigid_tags_ = group->nodes;
       return;
@@ -221,9 +221,9 @@ class Import {
 }  // namespace
 
 BodyMesh import_body_mesh(const input::BodySpec& spec, GmshOptions options) {
-  const auto is_shell = [](const input::LayerSpec& layer) { return layer.form == "shell"; };
+  const auto is_shell = [](const input::LayerSpec& layer) { return layer.form == input::LayerForm::shell; };
   const bool shell = std::any_of(spec.layers.begin(), spec.layers.end(), is_shell);
-  if (!shell) options.order = spec.elements == "Q1/P0" ? GmshOrder::linear : GmshOrder::quadratic;
+  if (!shell) options.order = spec.elements == input::Elements::Q1P0 ? GmshOrder::linear : GmshOrder::quadratic;
   const GmshMesh file = read_gmsh_file(spec.mesh, options);
   if (shell) return import_shell(spec, file);
   if (spec.layers.empty())

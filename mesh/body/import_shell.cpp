@@ -38,8 +38,8 @@ class ShellImport {
   }
 
   void read_layer(const input::LayerSpec& layer) {
-    if (layer.form != "shell")
-      throw InputError(layer.where, fmt::format("layer \"{}\" is {} beside a shell", layer.name, layer.form),
+    if (layer.form != input::LayerForm::shell)
+      throw InputError(layer.where, fmt::format("layer \"{}\" is {} beside a shell", layer.name, text_of(layer.form)),
                        "make every layer of the file a shell, form = \"shell\", or none");
     if (!layer.thickness)
       throw InputError(layer.where, fmt::format("the shell \"{}\" has no thickness", layer.name), "give it, e.g. thickness = \"2 mm\"");

@@ -13,14 +13,14 @@ using input::LayerSpec;
 
 void check_order(const std::vector<LayerSpec>& layers, const input::Location& where) {
   if (layers.empty()) throw InputError(where, "the body has no layers", "list the layers from the inside out");
-  if (layers.front().form == "solid" && layers.front().thickness)
+  if (layers.front().form == input::LayerForm::solid && layers.front().thickness)
     throw InputError(layers.front().where, fmt::format("the bone \"{}\" has a thickness", layers.front().name),
                      "leave it out: the outline of the bone comes from the stations or the scan");
   for (std::size_t n = 1; n < layers.size(); ++n) {
-    if (layers[n].form == "rigid")
+    if (layers[n].form == input::LayerForm::rigid)
       throw InputError(layers[n].where, fmt::format("layer \"{}\" is rigid but not innermost", layers[n].name),
                        "list the rigid bone first");
-    if (layers[n].form == "membrane" && n + 1 != layers.size())
+    if (layers[n].form == input::LayerForm::membrane && n + 1 != layers.size())
       throw InputError(layers[n].where, fmt::format("membrane \"{}\" is not the outermost layer", layers[n].name),
                        "list the skin last, or give this layer form = \"solid\"");
   }
@@ -30,10 +30,10 @@ void check_sizes(const LayerSpec& layer) {
   if (layer.thickness && !(*layer.thickness > 0.0))
     throw InputError(layer.where, fmt::format("layer \"{}\" has thickness {:g} m", layer.name, *layer.thickness),
                      "write a positive thickness such as \"1.5 mm\"");
-  if (layer.form == "membrane" && !layer.thickness)
+  if (layer.form == input::LayerForm::membrane && !layer.thickness)
     throw InputError(layer.where, fmt::format("membrane \"{}\" has no thickness", layer.name),
                      "write its thickness such as \"1.5 mm\"");
-  if (layer.form == "solid" && layer.cells < 1)
+  if (layer.form == input::LayerForm::solid && layer.cells < 1)
     throw InputError(layer.where, fmt::format("layer \"{}\" has {} cells", layer.name, layer.cells),
                      "write at least 1 cell through the layer");
 }
@@ -58,9 +58,9 @@ Layering::Layering(const input::BodySpec& spec) {
   check_order(spec.layers, spec.where);
   for (const LayerSpec& layer : spec.layers) {
     check_sizes(layer);
-    if (layer.form == "membrane") membranes_.push_back(layer);
-    if (layer.form == "solid" && &layer == &spec.layers.front()) bone_ = layer;
-    if (layer.form == "solid" && &layer != &spec.layers.front()) solids_.push_back(layer);
+    if (layer.form == input::LayerForm::membrane) membranes_.push_back(layer);
+    if (layer.form == input::LayerForm::solid && &layer == &spec.layers.front()) bone_ = layer;
+    if (layer.form == input::LayerForm::solid && &layer != &spec.layers.front()) solids_.push_back(layer);
   }
   rest_ = find_rest(solids_, spec.where);
 }

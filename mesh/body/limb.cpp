@@ -133,9 +133,9 @@ void check_bone_inside(const Limb& limb, const input::Location& where) {
 }
 
 Limb make_limb(const input::BodySpec& spec) {
-  if (spec.kind == "stations") return limb_from_stations(spec);
-  if (spec.kind == "scan") return limb_from_scan(spec);
-  throw input::InputError(spec.where, fmt::format("body kind \"{}\" is not known", spec.kind),
+  if (spec.kind == input::BodyKind::stations) return limb_from_stations(spec);
+  if (spec.kind == input::BodyKind::scan) return limb_from_scan(spec);
+  throw input::InputError(spec.where, fmt::format("the body is of kind \"{}\", which has no outlines", text_of(spec.kind)),
                           "write \"stations\" or \"scan\"");
 }
 

@@ -15,20 +15,16 @@ namespace {
 using input::InputError;
 using input::Location;
 
-Eigen::Vector3d file_axis(const std::string& text, const Location& where) {
-  const std::string axes = "xyz";
-  const bool negative = !text.empty() && text[0] == '-';
-  const std::string letter = negative || text.starts_with('+') ? text.substr(1) : text;
-  if (letter.size() != 1 || axes.find(letter) == std::string::npos)
-    throw InputError(where, fmt::format("\"{}\" is no axis of a file", text), "write x, y, z, -x, -y or -z");
-  return (negative ? -1.0 : 1.0) * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axes.find(letter)));
+Eigen::Vector3d direction(input::FileAxis axis) {
+  const int n = static_cast<int>(axis);
+  return (n < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(n % 3);
 }
 
 /// Rows: the body's x (side), y (front) and z (up) in the axes of the file.
 Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where) {
-  const Eigen::Vector3d up = file_axis(spec.up, where), front = file_axis(spec.front, where);
+  const Eigen::Vector3d up = direction(spec.up), front = direction(spec.front);
   if (std::abs(up.dot(front)) > 0.5)
-    throw InputError(where, fmt::format("up = \"{}\" and front = \"{}\" lie along one axis", spec.up, spec.front),
+    throw InputError(where, fmt::format("up = \"{}\" and front = \"{}\" lie along one axis", text_of(spec.up), text_of(spec.front)),
                      "name the file's axes that point up and to the front of the body");
   Eigen::Matrix3d rotation;
   rotation << front.cross(up).transpose(), front.transpose(), up.transpose();

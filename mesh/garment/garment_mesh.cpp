@@ -19,8 +19,6 @@ using input::InputError;
 
 void check(const input::GarmentSpec& spec, const Limb& limb, double cell_size) {
   const auto& pattern = spec.pattern;
-  if (pattern.kind != "tube")
-    throw InputError(spec.where, fmt::format("pattern kind \"{}\" is not known", pattern.kind), "write \"tube\"");
   if (!(pattern.flat_circumference > 0.0) || !(pattern.length > 0.0))
     throw InputError(
         spec.where,
@@ -145,7 +143,7 @@ GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, 
   mesh.triangles = pattern.triangles;
   mesh.merged = sew(pattern);
   place(spec, limb, lift, mesh);
-  const Eigen::Vector2d warp = spec.warp == "around" ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
+  const Eigen::Vector2d warp = spec.warp == input::WarpDirection::around ? Eigen::Vector2d(1, 0) : Eigen::Vector2d(0, 1);
   mesh.warp.assign(mesh.triangles.size(), warp);
   for (const char* edge : {"lower", "upper"}) mesh.edges[edge] = representatives(pattern.sides.at(edge), mesh.merged);
   mesh.mean_edge = mean_edge_length(pattern);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "solver/algebra/communicator.hpp"
+#include "solver/algebra/preconditioner.hpp"
 
 namespace snug::solver {
 
@@ -25,21 +27,10 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Multifrontal factorisation, symmetric but for the `whole` of an unsymmetric matrix, ordering by METIS, generous work space because contact rows delay pivots.
-void configure_factor(PC pc, bool whole) {
-  PCSetType(pc, whole ? PCLU : PCCHOLESKY);
-  PCFactorSetMatSolverType(pc, MATSOLVERMUMPS);
-  PCFactorSetUpMatSolverType(pc);
-  Mat factor = nullptr;
-  PCFactorGetMatrix(pc, &factor);
-  MatMumpsSetIcntl(factor, 7, 5);
-  MatMumpsSetIcntl(factor, 14, 60);
-}
-
-PetscErrorCode apply_factor(PC shell, Vec in, Vec out) {
-  void* factor = nullptr;
-  PCShellGetContext(shell, &factor);
-  return PCApply(*static_cast<PC*>(factor), in, out);
+PetscErrorCode apply_inverse(PC shell, Vec in, Vec out) {
+  void* inverse = nullptr;
+  PCShellGetContext(shell, &inverse);
+  return static_cast<Preconditioner*>(inverse)->apply(in, out);
 }
 
 }  // namespace
@@ -49,17 +40,17 @@ struct LinearSolver::Petsc {
   Mat symmetric_part = nullptr;  ///< where the matrix is not symmetric
   Vec right = nullptr, solution = nullptr;
   KSP ksp = nullptr;
-  PC factor = nullptr;      ///< of the last matrix that was factored; its pattern may be an earlier one
-  bool factored = false;    ///< `factor` can be applied
-  bool analysed = false;    ///< `factor` is of the present pattern
+  std::unique_ptr<Preconditioner> inverse = mumps_factor();  ///< of the last matrix that was factored; its pattern may be an earlier one
+  bool factored = false;    ///< `inverse` can be applied
+  bool analysed = false;    ///< `inverse` is of the present pattern
   bool symmetric = true;
-  bool whole = false;       ///< FGMRES did not get there with the symmetric part: `factor` is LU, until the next pattern
+  bool whole = false;       ///< FGMRES did not get there with the symmetric part: `inverse` is of the whole, until the next pattern
   int unknowns = 0, first = 0, end = 0;
   int negative_pivots = -1;
   Eigen::VectorXd scale;    ///< D of all unknowns
 
   void destroy_factor() {
-    PCDestroy(&factor);
+    inverse->clear();
     factored = analysed = false;
   }
   void destroy_system() {
@@ -69,10 +60,7 @@ struct LinearSolver::Petsc {
     MatDestroy(&symmetric_part);
     MatDestroy(&matrix);
   }
-  ~Petsc() {
-    destroy_system();
-    destroy_factor();
-  }
+  ~Petsc() { destroy_system(); }
 
   void rescale(const SparseScatter& scatter) {
     scale = Eigen::VectorXd::Zero(unknowns);
@@ -119,24 +107,9 @@ struct LinearSolver::Petsc {
   }
 
   bool renew_factor() {
-    const Mat of = operand();
-    if (!analysed) {
-      destroy_factor();  // before the next one takes its memory
-      PCCreate(PETSC_COMM_WORLD, &factor);
-      PCSetOperators(factor, of, of);
-      configure_factor(factor, whole);
-      analysed = true;
-    }
-    factored = analysed = false;  // a factor that failed is of no use again: MUMPS refuses to go on with it
-    PCSetReusePreconditioner(factor, PETSC_FALSE);
-    if (PCSetUp(factor) != 0) return false;
-    PCSetReusePreconditioner(factor, PETSC_TRUE);  // else the next use would factor what the matrix has become
-    Mat mumps = nullptr;
-    PCFactorGetMatrix(factor, &mumps);
-    PetscInt error = -1;
-    MatMumpsGetInfog(mumps, 1, &error);
-    if (symmetric) MatMumpsGetInfog(mumps, 12, &negative_pivots);
-    factored = analysed = error == 0;
+    const bool fresh = !std::exchange(analysed, false);
+    factored = analysed = inverse->renew(operand(), symmetric || !whole, fresh);
+    if (symmetric) negative_pivots = inverse->negative_pivots();
     return factored;
   }
 
@@ -180,8 +153,8 @@ void LinearSolver::reset(SparseScatter& scatter, int unknowns, bool symmetric) {
   PC shell = nullptr;
   KSPGetPC(p.ksp, &shell);
   PCSetType(shell, PCSHELL);
-  PCShellSetContext(shell, &p.factor);
-  PCShellSetApply(shell, apply_factor);
+  PCShellSetContext(shell, p.inverse.get());
+  PCShellSetApply(shell, apply_inverse);
 }
 
 LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x,

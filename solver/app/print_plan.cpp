@@ -62,7 +62,7 @@ std::string ease_text(const PreparedCase& prepared, const input::GarmentSpec& sp
 
 std::string quality_text(const PreparedCase& prepared) {
   std::string text;
-  if (prepared.description.body && prepared.description.body->kind == "scan") text += girths_text(prepared.meshes.limb);
+  if (prepared.description.body && prepared.description.body->kind == input::BodyKind::scan) text += girths_text(prepared.meshes.limb);
   text += fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells", "min jacobian",
                       "mean jacobian", "aspect", "volume [ml]");
   for (const mesh::QualityRow& row : prepared.quality)

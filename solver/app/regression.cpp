@@ -11,17 +11,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::optional<postproc::ShellSurface> surface_called(const std::string& name) {
-  if (name == "top") return postproc::ShellSurface::top;
-  if (name == "middle") return postproc::ShellSurface::middle;
-  if (name == "bottom") return postproc::ShellSurface::bottom;
+std::optional<postproc::ShellSurface> surface_of(input::StressSurface surface) {
+  switch (surface) {
+    case input::StressSurface::top: return postproc::ShellSurface::top;
+    case input::StressSurface::middle: return postproc::ShellSurface::middle;
+    case input::StressSurface::bottom: return postproc::ShellSurface::bottom;
+    case input::StressSurface::all: break;
+  }
   return std::nullopt;
 }
 
-postproc::Matching matching_called(const std::string& name) {
-  return name == "number"        ? postproc::Matching::by_number
-         : name == "coordinates" ? postproc::Matching::by_coordinates
-                                 : postproc::Matching::automatic;
+postproc::Matching matching_of(input::NodeMatch match) {
+  return match == input::NodeMatch::number        ? postproc::Matching::by_number
+         : match == input::NodeMatch::coordinates ? postproc::Matching::by_coordinates
+                                                  : postproc::Matching::automatic;
 }
 
 /// A listing may hold more than what the case compares with it.
@@ -51,7 +54,7 @@ std::vector<ReferenceTable> read_references(const input::Case& description) {
     table.quantity = name;
     table.field = postproc::read_field(file, reading);
     table.surface = reading.surface;
-    table.options.matching = matching_called(spec.match);
+    table.options.matching = matching_of(spec.match);
     table.options.columns = labels_of(table.field, quantity, file);
     return table;
   };
@@ -59,7 +62,7 @@ std::vector<ReferenceTable> read_references(const input::Case& description) {
     add("displacement", postproc::Quantity::displacement, given->file).options.displacement = {given->relative,
                                                                                                given->absolute};
   if (const auto& given = spec.stress) {
-    reading.surface = surface_called(given->surface);
+    reading.surface = surface_of(given->surface);
     add("stress", postproc::Quantity::stress, given->file).options.stress = {given->relative, given->absolute};
   }
   return tables;

@@ -48,7 +48,7 @@ void check_that_something_acts(const input::Case& description, const mesh::BodyM
 Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, double memory_limit) {
   Meshes meshes;
   if (!description.body) return meshes;
-  if (description.body->kind == "imported") {
+  if (description.body->kind == input::BodyKind::imported) {
     const bool model = mesh::is_model_file(description.body->mesh);
     meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body, gmsh);
     check_that_something_acts(description, meshes.body);

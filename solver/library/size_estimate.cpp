@@ -20,12 +20,12 @@ std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", 1e-9 * byt
 double solid_cells(const input::BodySpec& body) {
   double cells = 0.0;
   for (const input::LayerSpec& layer : body.layers)
-    if (layer.form == "solid") cells += layer.cells;
+    if (layer.form == input::LayerForm::solid) cells += layer.cells;
   return cells;
 }
 
 double body_bytes(const input::BodySpec& body, double around, double along, double through, bool deformable) {
-  const bool quadratic = body.elements != "Q1/P0";
+  const bool quadratic = body.elements != input::Elements::Q1P0;
   const double nodes = 2.0 * around * (2.0 * along + 1.0) * (2.0 * through + 1.0);  // meshed with 27 nodes in any case
   const double unknowns = 3.0 * (quadratic ? nodes : nodes / 8.0);
   return of_a_run + meshing_node * nodes + (deformable ? solving_body_unknown * unknowns : 0.0);
@@ -45,7 +45,7 @@ double memory_of_machine() {
 void refuse_large_body(const input::Case& description, double limit) {
   const input::BodySpec& body = *description.body;
   const double through = solid_cells(body), around = body.cells_around, along = body.cells_along;
-  const bool deformable = description.solver.tier == "L4";
+  const bool deformable = description.solver.tier == input::Tier::L4;
   const double bytes = body_bytes(body, around, along, through, deformable);
   if (bytes <= limit) return;
   double factor = 1.0;  // of all three counts

@@ -49,25 +49,25 @@ void hold_along(const Eigen::Vector3d& m, int first, ConstraintTable& table) {
 void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                 const Field& position, ConstraintTable& table) {
   for (const auto& edge : held)
-    if (edge.held == "all")
+    if (edge.held == input::HeldDirection::all)
       for (const int node : garment.edges.at(edge.edge))
         for (int c = 0; c < 3; ++c) table.fix(position(node, c));
-  if (std::none_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "axis"; })) return;
+  if (std::none_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::axis; })) return;
   const MasterSurface skin({}, body, body.skin_facets);
   for (const auto& edge : held)
-    if (edge.held == "axis")
+    if (edge.held == input::HeldDirection::axis)
       for (const int node : garment.edges.at(edge.edge))
         hold_along(meridian(skin, body, garment.placed[node]), position(node), table);
 }
 
 bool turns_freely(const input::GarmentSpec& spec) {
-  return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == "all"; });
+  return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::all; });
 }
 
 void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                        const Field& position, ConstraintTable& table) {
   auto held = model.spec.held;
-  if (held.empty() && !rubs) held.push_back({.edge = probe_edge(garment), .held = "axis"});
+  if (held.empty() && !rubs) held.push_back({.edge = probe_edge(garment), .held = input::HeldDirection::axis});
   hold_edges(held, body, garment, position, table);
   if (turns_freely(model.spec) && !rubs) {
     const TurnPin pin = turn_pin(garment);

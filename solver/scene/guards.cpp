@@ -236,7 +236,7 @@ class Guards {
     double placed = 0.0, contracted = 0.0;
     for (const GarmentModel& model : model_.garments) {
       const double girth = mean_girth(model.spec), stretch = girth / model.spec.pattern.flat_circumference, area = girth * model.spec.pattern.length;
-      const bool along = model.spec.warp == "along";
+      const bool along = model.spec.warp == input::WarpDirection::along;
       placed += area;
       contracted += area * natural_stretch(along ? model.fabric.warp : model.fabric.weft, model.fabric.coupling, stretch);
     }

@@ -64,7 +64,7 @@ LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materi
       if (result.covered[node] || x.z() < lower - 1e-9 || x.z() > upper + 1e-9) continue;
       auto [it, fresh] = tension_at.try_emplace(x.z());
       if (fresh)
-        it->second = tensions(fabric, garment.warp == "along", (1.0 - give) * limb.girth(x.z()) / garment.pattern.flat_circumference);
+        it->second = tensions(fabric, garment.warp == input::WarpDirection::along, (1.0 - give) * limb.girth(x.z()) / garment.pattern.flat_circumference);
       result.covered[node] = 1;
       result.pressure[node] = std::max(0.0, it->second.dot(Eigen::Vector2d(1.0 / (1.0 - give), 1.0).cwiseProduct(limb.skin_curvature(turn_of(limb, x), x.z()))));
     }

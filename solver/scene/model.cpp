@@ -40,7 +40,7 @@ ContactModel make_contact(const input::ContactSpec& spec, const std::string& sla
   ContactModel contact;
   contact.name = alone ? "contact" : "contact of " + slave;
   contact.slave = slave, contact.master = spec.master;
-  contact.dual = spec.basis == "dual", contact.spread = spec.spread, contact.where = spec.where;
+  contact.dual = spec.basis == input::GapTests::dual, contact.spread = spec.spread, contact.where = spec.where;
   return contact;
 }
 
@@ -107,9 +107,9 @@ Model make_model(const input::Case& description) {
   Collector collect;
   if (description.body)
     for (const input::LayerSpec& layer : description.body->layers)
-      if (layer.form == "membrane")
+      if (layer.form == input::LayerForm::membrane)
         collect([&] { materials::find_membrane_tissue(layer.material); });
-      else if (layer.form != "rigid")
+      else if (layer.form != input::LayerForm::rigid)
         collect([&] { materials::find_tissue(layer.material); });
   add_garments(description, collect, model);
   collect.throw_if_any();

@@ -39,7 +39,7 @@ struct Model {
   std::vector<materials::Tissue> tissues;         ///< one a layer of the body mesh
   std::vector<materials::SkinMembrane> membranes; ///< one a membrane of the body mesh
 
-  bool deformable() const { return asked.solver.tier == "L4"; }
+  bool deformable() const { return asked.solver.tier == input::Tier::L4; }
   /// The contact of a garment, or null where it touches nothing.
   const ContactModel* contact_of(int garment) const;
   /// The contact of that name.

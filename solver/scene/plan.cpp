@@ -108,7 +108,7 @@ void list_contact(const ContactModel* contact, Plan& plan) {
 void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
   const materials::Fabric& fabric = model.garments[g].fabric;
   const std::string& name = model.garments[g].spec.name;
-  if (plan.tier == "L0") {
+  if (model.asked.solver.tier == input::Tier::L0) {
     plan.parts_in.push_back(fmt::format("{}: law of Laplace, tension of {}", name, fabric.name));
     if (g == 0) plan.parts_out.push_back("garment mesh, contact: tier L0 has no unknowns");
     return;
@@ -197,7 +197,7 @@ void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
   if (model.garments.empty()) plan.seconds *= 0.5;
   if (model.has_friction()) plan.seconds *= 1.6;
   if (model.has_friction() && body > 0.0 && presses_hard(model, meshes)) plan.seconds *= 5.0;
-  if (plan.tier != "L0" && bends(model, meshes)) plan.seconds *= 2.5;
+  if (model.asked.solver.tier != input::Tier::L0 && bends(model, meshes)) plan.seconds *= 2.5;
   plan.memory_bytes = 2e8 + 6e3 * rigid + 3e4 * body;
 }
 
@@ -205,13 +205,13 @@ void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
 
 Plan plan(const Model& model, const Meshes& meshes) {
   Plan plan;
-  plan.tier = model.asked.solver.tier;
+  plan.tier = input::text_of(model.asked.solver.tier);
   list_body(model, meshes, plan);
   list_garments(model, meshes, plan);
   if (model.deformable()) list_loads(model.asked, meshes, plan);
   if (model.deformable()) list_free_motions(model, meshes, plan);
   if (!model.asked.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
-  if (plan.tier != "L0") count_unknowns(model, meshes, plan);
+  if (model.asked.solver.tier != input::Tier::L0) count_unknowns(model, meshes, plan);
   estimate(model, meshes, plan);
   return plan;
 }

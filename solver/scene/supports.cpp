@@ -20,7 +20,7 @@ bool held_by_garment(const Model& model) {
   return std::any_of(model.contacts.begin(), model.contacts.end(), [&](const ContactModel& contact) {
     if (contact.garment < 0) return false;
     const auto& held = model.garments[contact.garment].spec.held;
-    return std::any_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == "all"; });
+    return std::any_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::all; });
   });
 }
 
@@ -51,8 +51,8 @@ void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::S
   bone_.insert(body.bone_nodes.begin(), body.bone_nodes.end());
   fix("bone", "bone", body.bone_nodes, 0);
   for (const char* surface : {"lower", "upper"})
-    if (const auto* cut = body.surface(surface); cut && spec.kind != "imported" && spec.ends != "free")
-      fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == "fixed" ? 0 : 2);
+    if (const auto* cut = body.surface(surface); cut && spec.kind != input::BodyKind::imported && spec.ends != input::Ends::free)
+      fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == input::Ends::fixed ? 0 : 2);
 }
 
 void Supports::hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body) {

@@ -60,7 +60,7 @@ class Run {
  private:
   /// What the case leaves to the run.
   void assume() {
-    if (result_.tier == "L0" || !model_.has_friction()) return;
+    if (model_.asked.solver.tier == input::Tier::L0 || !model_.has_friction()) return;
     for (const ContactModel& contact : model_.contacts)
       if (contact.garment >= 0 && !contact.friction.of_case)
         result_.assumptions.push_back(fmt::format("friction {:g} of the {} on the skin ({})", contact.friction.coefficient, contact.slave, contact.friction.source));

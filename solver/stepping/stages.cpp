@@ -49,7 +49,7 @@ Way at_once(const Model& model) {
   const std::string name = model.deformable() ? "body" : "garment";
   Stage stage{.name = name, .model = &model, .skin = model.deformable() ? Skin::deformable : Skin::rigid,
               .attempts = once({.rows = name, .change = tightening()})};
-  if (model.garments.empty() && model.contacts.empty()) stage.curve = Curve{model.asked.solver.path == "arc length"};
+  if (model.garments.empty() && model.contacts.empty()) stage.curve = Curve{model.asked.solver.path == input::LoadPath::arc_length};
   return {.stages = {stage}};
 }
 
@@ -139,7 +139,7 @@ Way placed_and_let_go(const Model& model, const Model& worn, const Meshes& meshe
 }  // namespace
 
 std::vector<Way> ways_of(const Model& model, const Model& worn, const Meshes& meshes, bool every_step) {
-  if (model.asked.solver.tier == "L0") return {};
+  if (model.asked.solver.tier == input::Tier::L0) return {};
   if (model.has_friction()) return {placed_and_let_go(model, worn, meshes, every_step)};
   const bool touched = std::any_of(model.contacts.begin(), model.contacts.end(), [](const auto& contact) { return contact.garment >= 0; });
   if (!touched) return {at_once(model)};

@@ -126,7 +126,7 @@ std::vector<Target> text_targets() {
       const mesh::Model model = parse(text, "fuzz", diagnostics);
       diagnostics.throw_if_any();
       input::BodySpec spec;
-      spec.kind = "imported", spec.mesh = "fuzz";
+      spec.kind = input::BodyKind::imported, spec.mesh = "fuzz";
       mesh::body_of(model, spec);
     };
   };

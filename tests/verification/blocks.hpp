@@ -98,7 +98,7 @@ struct BlockCase {
 
   BlockCase(BodyMesh m, std::vector<std::string> materials) : mesh(std::move(m)) {
     c.body.emplace();
-    c.body->kind = "imported";
+    c.body->kind = input::BodyKind::imported;
     c.load.emplace();
     for (std::size_t l = 0; l < materials.size(); ++l) mesh.layers[l].material.table = input::table_of(materials[l]);
   }

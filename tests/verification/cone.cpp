@@ -75,7 +75,7 @@ input::Case describe(const std::string& fabric) {
   c.garments.front().pattern.length = rest_length;
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * rest_radius;
   c.garments.front().fabric.table = input::table_of(fabric);
-  c.garments.front().held = {{.edge = "upper", .held = "all"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::all}};
   c.contacts.emplace_back();
   c.contacts.front().friction = 0.0;
   return c;

@@ -82,7 +82,7 @@ TEST_F(Extremes, NearlyIncompressible) {
 }
 
 /// A sleeve held at its upper edge on a limb that widens upwards by a sixth of its length: the hem pulls tissue along.
-TubeCase tapering(double poisson_ratio, const std::string& elements) {
+TubeCase tapering(double poisson_ratio, input::Elements elements) {
   TubeCase tube = tube_of({.k1 = 300.0, .poisson_ratio = poisson_ratio});
   tube.length = 0.060, tube.taper = 1.0 / 6.0, tube.radius = 0.050;
   tube.around = 20, tube.along = 4, tube.through = 2, tube.elements = elements;
@@ -90,11 +90,11 @@ TubeCase tapering(double poisson_ratio, const std::string& elements) {
   return tube;
 }
 
-Answer tapering_run(double poisson_ratio, const std::string& elements) {
+Answer tapering_run(double poisson_ratio, input::Elements elements) {
   input::Case c = describe_tube(tapering(poisson_ratio, elements));
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   Answer answer{tests::solve(c, make_meshes(c))};
-  EXPECT_EQ(answer.result.status, "converged") << elements << ", nu = " << poisson_ratio << ": " << answer.result.message;
+  EXPECT_EQ(answer.result.status, "converged") << text_of(elements) << ", nu = " << poisson_ratio << ": " << answer.result.message;
   return answer;
 }
 
@@ -103,13 +103,13 @@ Answer tapering_run(double poisson_ratio, const std::string& elements) {
 // pressure but for what the hem makes of the two meshes at nu = 0.49, too (5e-3; Q1/P0 cells, straight and of first order: 2e-2).
 TEST_F(Extremes, HexahedraTakeNoMoreIterationsAtTheLimitOfIncompressibility) {
   const auto mean = [](const Answer& answer) { return answer.result.numbers.at("mean_contact_pressure_Pa"); };
-  const double soft_tetrahedra = mean(tapering_run(0.49, "P2/P1")), tetrahedra = mean(tapering_run(0.4999999, "P2/P1"));
-  for (const std::string elements : {"Q2/P1", "Q1/P0"}) {
+  const double soft_tetrahedra = mean(tapering_run(0.49, input::Elements::P2P1)), tetrahedra = mean(tapering_run(0.4999999, input::Elements::P2P1));
+  for (const input::Elements elements : {input::Elements::Q2P1, input::Elements::Q1P0}) {
     const Answer soft = tapering_run(0.49, elements), limit = tapering_run(0.4999999, elements);
-    fmt::print("{}: {} iterations at nu = 0.49, {} at 0.4999999\n", elements, soft.result.iterations, limit.result.iterations);
-    EXPECT_LE(iterations_of(limit), 1.3 * iterations_of(soft)) << elements;
-    book("4 extremes", fmt::format("tapering limb at nu = 0.4999999, {}: mean pressure, Pa", elements), mean(limit),
-         tetrahedra * mean(soft) / soft_tetrahedra, elements == "Q2/P1" ? 1e-3 : 2e-2, "P2/P1 tetrahedra, with the meshes' difference at nu = 0.49");
+    fmt::print("{}: {} iterations at nu = 0.49, {} at 0.4999999\n", text_of(elements), soft.result.iterations, limit.result.iterations);
+    EXPECT_LE(iterations_of(limit), 1.3 * iterations_of(soft)) << text_of(elements);
+    book("4 extremes", fmt::format("tapering limb at nu = 0.4999999, {}: mean pressure, Pa", text_of(elements)), mean(limit),
+         tetrahedra * mean(soft) / soft_tetrahedra, elements == input::Elements::Q2P1 ? 1e-3 : 2e-2, "P2/P1 tetrahedra, with the meshes' difference at nu = 0.49");
   }
 }
 

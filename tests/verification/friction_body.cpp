@@ -131,7 +131,7 @@ input::Case tapered(double friction) {
   out.close();
   c.garments.front().pattern.length = 0.08;
   c.garments.front().position = 0.02;
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   c.contacts.front().friction = friction;
   c.contacts.front().spread = true;
   return c;

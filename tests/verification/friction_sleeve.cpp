@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 input::Case sleeve(double lower_radius, double upper_radius, double limb, double length, double position, double k,
                    double rest_radius) {
   tests::TubeCase tube;
-  tube.length = limb, tube.sleeve = rest_radius, tube.tier = "L1", tube.along = 6;
+  tube.length = limb, tube.sleeve = rest_radius, tube.tier = input::Tier::L1, tube.along = 6;
   tube.fabric = fmt::format("law = 'linear'\nwarp = '{0} N/m'\nweft = '{0} N/m'\nshear = '{1} N/m'\npoisson = 0", k, 0.3 * k);
   input::Case c = tests::describe_tube(tube);
   c.body->stations = std::filesystem::temp_directory_path() /
@@ -37,18 +37,18 @@ input::Case sleeve(double lower_radius, double upper_radius, double limb, double
 /// A sleeve of 100 mm that presses on a rigid cylinder (R = 55 mm) with 50 N/m / R = 0.909 kPa is pulled off by one edge: the force is mu times
 /// the sum of the normal forces, 9.42478 N (reference book 3), on facets of
 /// every kind.
-class PullOff : public testing::TestWithParam<std::string> {};
+class PullOff : public testing::TestWithParam<input::Elements> {};
 
 TEST_P(PullOff, ASleeveIsPulledOffWithFrictionTimesItsNormalForce) {
   const double stretch = 1.25, k = 50.0 / (stretch * 0.5 * (stretch * stretch - 1.0));
   input::Case c = sleeve(0.055, 0.055, 0.16, 0.10, 0.02, k, 0.055 / stretch);
   c.body->elements = GetParam();
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   c.contacts.front().friction = 0.3;
   const solver::Meshes meshes = tests::make_meshes(c);
   input::Case without = c;
   without.contacts.front().friction = 0.0;
-  without.garments.front().held.push_back({.edge = "lower", .held = "axis"});
+  without.garments.front().held.push_back({.edge = "lower", .held = input::HeldDirection::axis});
   solver::Scene smooth = tests::make_scene(without, meshes, solver::Skin::rigid);
   solver::Scene rough = tests::make_scene(c, meshes, solver::Skin::rigid);
   solver::PathSettings settings;
@@ -75,14 +75,14 @@ TEST_P(PullOff, ASleeveIsPulledOffWithFrictionTimesItsNormalForce) {
              path.increments, iterations, result.balance.contact_force, result.balance.friction_force,
              result.balance.force_error.norm(), result.balance.moment_error.norm());
   EXPECT_NEAR(force, 0.3 * result.balance.contact_force, 1e-3 * force);
-  if (GetParam() != "Q1/P0")  // the 16 straight facets are a shorter way round, and so are the tension and the force
-      tests::book("sleeve pulled off a cylinder, " + GetParam(), "axial force, N", force, 9.4247779608, 1e-2, "mu p 2 pi R L, reference book 3");
+  if (GetParam() != input::Elements::Q1P0)  // the 16 straight facets are a shorter way round, and so are the tension and the force
+      tests::book("sleeve pulled off a cylinder, " + text_of(GetParam()), "axial force, N", force, 9.4247779608, 1e-2, "mu p 2 pi R L, reference book 3");
   EXPECT_LE(result.balance.force_error.norm(), 1e-8 * result.balance.contact_force);
   EXPECT_LE(result.balance.moment_error.norm(), 1e-8 * result.balance.contact_force * 0.055);
 }
 
-INSTANTIATE_TEST_SUITE_P(Friction, PullOff, testing::Values("Q2/P1", "P2/P1", "Q1/P0"), [](const auto& info) {
-  std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Friction, PullOff, testing::Values(input::Elements::Q2P1, input::Elements::P2P1, input::Elements::Q1P0), [](const auto& info) {
+  std::string name = text_of(info.param);
   name.erase(name.find('/'), 1);
   return name;
 });

@@ -42,7 +42,7 @@ struct Truss {
     }
     mesh.node_location.assign(mesh.nodes.size(), -1);
     c.body.emplace();
-    c.body->kind = "imported";
+    c.body->kind = input::BodyKind::imported;
   }
   int apex() const { return static_cast<int>(mesh.nodes.size()) - 2; }
   double sunk(const solver::Layout& layout, const solver::State& state) const { return rise - state.values[layout["body"](apex(), 2)]; }

@@ -13,7 +13,7 @@ struct Hanging {
   double rest_radius = 0.051;  ///< m
   double stiffness = 200.0;    ///< N/m
   double friction = 0.0;
-  std::string tier = "L1";
+  input::Tier tier = input::Tier::L1;
 
   double radius(double z) const { return lower + (upper - lower) * z / length; }
   /// Sum of the contact forces: int T cos(a)/r dA with dA = 2 pi r dz/cos(a), T = S l of the hoop stretch l.
@@ -41,7 +41,7 @@ input::Case describe(const Hanging& scene) {
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double s : {0.0, 0.5, 1.0})
     out << s * scene.length << ", " << 2.0 * std::numbers::pi * scene.radius(s * scene.length) << ", 0.12\n";
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   c.garments.front().position = scene.position, c.garments.front().pattern.length = scene.sleeve_length;
   c.contacts.front().friction = scene.friction;
   return c;
@@ -73,8 +73,8 @@ double hem_radius(const Hung& hung) {
 // Twelve facets round, axial stretch under a contact that pushes down the cone, friction's axial share and a body that gives
 // way: together within 5 %.
 TEST(LooseCloth, PartlyLooseItPressesByItsTensionAndStandsOffWhereItIsWider) {
-  struct Row { std::string name, tier; double friction; };
-  for (const Row& row : {Row{"rigid limb", "L1", 0.0}, Row{"soft limb", "L4", 0.0}, Row{"soft limb, friction 0.3", "L4", 0.3}}) {
+  struct Row { std::string name; input::Tier tier; double friction; };
+  for (const Row& row : {Row{"rigid limb", input::Tier::L1, 0.0}, Row{"soft limb", input::Tier::L4, 0.0}, Row{"soft limb, friction 0.3", input::Tier::L4, 0.3}}) {
     Hanging scene;
     scene.tier = row.tier, scene.friction = row.friction;
     const Hung hung = hang(scene);
@@ -90,13 +90,13 @@ TEST(LooseCloth, PartlyLooseItPressesByItsTensionAndStandsOffWhereItIsWider) {
 // The hem is drawn in a little: the second form is measured along the pattern, so that cloth bends less when it is shorter,
 // and slack cloth bears B/r^2 by the thousandth of its stiffness that wrinkles keep, strain B/(r^2 eta k) = 4.2e-3.
 TEST(LooseCloth, LooseAllOverItHangsFromItsHeldEdgeAndTouchesNothing) {
-  for (const std::string tier : {"L1", "L4"})
+  for (const input::Tier tier : {input::Tier::L1, input::Tier::L4})
     for (const double friction : {0.0, 0.3}) {
       Hanging scene;
       scene.rest_radius = 0.060, scene.tier = tier, scene.friction = friction;
       const Hung hung = hang(scene);
       const double weight = 0.2 * 9.80665 * 2.0 * std::numbers::pi * scene.rest_radius * scene.sleeve_length;
-      book(fmt::format("loose sleeve, {}, friction {:g}", tier, friction), "force of the held edge [N]",
+      book(fmt::format("loose sleeve, {}, friction {:g}", text_of(tier), friction), "force of the held edge [N]",
            hung.result.balance.reactions.at("upper edge").z(), weight, 1e-6, "its weight");
       EXPECT_EQ(hung.result.balance.contact_force, 0.0);
       const double drawn_in = 3e-6 / (scene.rest_radius * scene.rest_radius * 1e-3 * scene.stiffness);

@@ -10,7 +10,7 @@ namespace {
 TEST(OrthotropicSleeve, PressesOnARigidCylinderAsTheLawSays) {
   TubeCase tube;
   tube.fabric = "law = 'linear'\nweft = '1027.749229188078 N/m'\nwarp = '308.3247687564234 N/m'\nshear = '50 N/m'\npoisson = 0.3";
-  tube.tier = "L1";
+  tube.tier = input::Tier::L1;
   const char* source = "closed form, reference book 3";
   const auto solve = [&](bool held, int around, int along) {
     tube.around = around, tube.along = along, tube.length = along * 2.0 * std::numbers::pi * tube.radius / around;

@@ -13,7 +13,7 @@ tests::RigidAnswer print(const RigidCase& rigid) {
   tests::RigidAnswer a = tests::run(rigid);
   fmt::print("{:9} {:4} {:5} {:5} {:6.3f} | {:6.2f} {:6.2f} {:6.2f} | {:6.2f} {:6.2f} {:6.2f} | {:5.1f}{}\n",
              rigid.surface == Surface::sphere ? "sphere" : "cylinder", rigid.order == 2 ? "P2" : "P1",
-             rigid.flat ? "flat" : "Q2", rigid.basis, a.edge, 100 * a.skin.rms, 100 * a.skin.max, 100 * a.skin.mean,
+             rigid.flat ? "flat" : "Q2", input::text_of(rigid.basis), a.edge, 100 * a.skin.rms, 100 * a.skin.max, 100 * a.skin.mean,
              100 * a.garment.rms, 100 * a.garment.max, 100 * a.garment.mean, a.seconds,
              a.converged ? "" : "  NOT CONVERGED");
   std::fflush(stdout);
@@ -46,8 +46,8 @@ TEST_P(RigidSurfaces, NodalPressureIsTensionTimesCurvature) {
 // Dual multipliers meet the same pressure, less smoothly on the skin and more sharply on the garment.
 TEST_P(RigidSurfaces, DualMultipliersMeetItToo) {
   print_head();
-  const auto coarse = print({.surface = GetParam(), .h = 0.2, .basis = "dual"});
-  const auto fine = print({.surface = GetParam(), .basis = "dual"});
+  const auto coarse = print({.surface = GetParam(), .h = 0.2, .basis = input::GapTests::dual});
+  const auto fine = print({.surface = GetParam(), .basis = input::GapTests::dual});
   EXPECT_TRUE(coarse.converged && fine.converged);
   EXPECT_LT(fine.skin.rms, 0.02);
   EXPECT_LT(fine.skin.rms, 0.6 * coarse.skin.rms);

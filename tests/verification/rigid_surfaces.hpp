@@ -29,7 +29,7 @@ struct RigidCase {
   double h = 0.1;     ///< garment edge when placed
   int order = 2;      ///< of the garment's triangles
   bool flat = false;  ///< straight skin facets in place of biquadratic ones
-  std::string basis = "hat";
+  input::GapTests basis = input::GapTests::hat;
   double skin_cell = 1.5;  ///< skin facet over garment edge: the meshes never match
 };
 
@@ -101,7 +101,7 @@ inline input::Case describe(const RigidCase& rigid) {
   c.garments.front().pattern.length = 2.0 * half_length(rigid);
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * radius / (sphere ? 1.0 : stretch);
   c.garments.front().fabric.table = input::table_of("law = 'linear'\nwarp = '" + k + "'\nweft = '" + k + "'\nshear = '" + g + "'\npoisson = 0");
-  const std::string held = sphere ? "all" : "axis";
+  const input::HeldDirection held = sphere ? input::HeldDirection::all : input::HeldDirection::axis;
   c.garments.front().held = {{.edge = "upper", .held = held}, {.edge = "lower", .held = held}};
   c.contacts.emplace_back();
   c.contacts.front().friction = 0.0;

@@ -100,7 +100,7 @@ inline void hold_symmetry(mesh::Model& model, const std::vector<int>& axes) {
 
 inline BlockCase shell_case(const mesh::Model& model) {
   input::BodySpec spec;
-  spec.kind = "imported", spec.mesh = "shell.inp";
+  spec.kind = input::BodyKind::imported, spec.mesh = "shell.inp";
   BlockCase c(mesh::body_of(model, spec), {});
   *c.c.body = spec;
   return c;

@@ -171,7 +171,7 @@ TEST(ElasticBone, MovesTheSkinAsARigidOneDoes) {
     c.garments.clear(), c.contacts.clear();
     c.load.emplace().skin_pressure = 5e3;
     if (elastic) {
-      c.body->layers[0].form = "solid", c.body->layers[0].cells = 1;
+      c.body->layers[0].form = input::LayerForm::solid, c.body->layers[0].cells = 1;
       c.body->layers[0].material.table = input::table_of("law = 'linear-elastic'\nyoungs_modulus = '10 GPa'\npoisson_ratio = 0.3");
     }
     const postproc::RunResult result = tests::solve(c, make_meshes(c));
@@ -191,9 +191,9 @@ TEST(Torsion, MomentAndAxialForceOfATurnedCylinder) {
   input::Case c = describe_tube(t);
   c.garments.clear(), c.contacts.clear();
   const std::string law = "law = 'Mooney-Rivlin'\nC10 = '4 kPa'\nC01 = '1 kPa'\nbulk_modulus = '500 MPa'";
-  c.body->layers[0].form = "solid", c.body->layers[0].cells = 1;
+  c.body->layers[0].form = input::LayerForm::solid, c.body->layers[0].cells = 1;
   for (auto& layer : c.body->layers) layer.material.table = input::table_of(law);
-  c.body->ends = "free";
+  c.body->ends = input::Ends::free;
   for (const char* end : {"lower", "upper"}) {
     input::SupportSpec& support = c.support.emplace_back();
     support.on = end, support.x = 0.0, support.y = 0.0, support.z = 0.0;

@@ -22,7 +22,9 @@ struct TubeCase {
   std::string fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0";
   int around = 16, along = 4, through = 2;
   double cell_size = 0.0;                                         ///< m, garment; 0: half the skin's
-  std::string tier = "L4", basis = "hat", elements = "Q2/P1";
+  input::Tier tier = input::Tier::L4;
+  input::GapTests basis = input::GapTests::hat;
+  input::Elements elements = input::Elements::Q2P1;
   double bone_ratio = 1.0, bone_offset = 0.0;                     ///< width over depth of the bone; m, along x
 };
 
@@ -44,7 +46,7 @@ inline input::Case describe_tube(const TubeCase& tube) {
   c.body.emplace();
   c.body->stations = write_stations(tube);
   input::LayerSpec bone, tissue;
-  bone.name = "bone", bone.material.name = "rigid", bone.form = "rigid";
+  bone.name = "bone", bone.material.name = "rigid", bone.form = input::LayerForm::rigid;
   tissue.name = "tissue", tissue.material.table = input::table_of(tube.tissue), tissue.cells = tube.through;
   c.body->layers = {bone, tissue};
   c.body->elements = tube.elements;
@@ -54,7 +56,7 @@ inline input::Case describe_tube(const TubeCase& tube) {
   c.garments.front().pattern.length = tube.length;
   c.garments.front().fabric.table = input::table_of(tube.fabric);
   c.garments.front().cell_size = tube.cell_size;
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}, {.edge = "lower", .held = input::HeldDirection::axis}};
   c.contacts.emplace_back();
   c.contacts.front().friction = 0.0;
   c.contacts.front().basis = tube.basis;

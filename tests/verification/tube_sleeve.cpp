@@ -117,15 +117,15 @@ TEST(TubeSleeve, ErrorsFallAtLeastWithTheSquareOfTheCellSize) {
 // A garment lies on every kind of cell: curved triangles converge like curved quadrilaterals, straight ones with h^2.
 TEST(TubeSleeve, EveryKindOfCellCarriesAGarment) {
   print_head();
-  for (const std::string elements : {"P2/P1", "Q1/P0"}) {
+  for (const input::Elements elements : {input::Elements::P2P1, input::Elements::Q1P0}) {
     std::vector<Errors> errors;
     for (int l = 0; l < 3; ++l) {
       input::Case description = describe_tube(level(l));
       description.body->elements = elements;
       errors.push_back(run_against(svk_049, description));
-      print_row(fmt::format("{} level {}", elements, l), errors[l], l > 0 ? &errors[l - 1] : nullptr);
+      print_row(fmt::format("{} level {}", text_of(elements), l), errors[l], l > 0 ? &errors[l - 1] : nullptr);
     }
-    const double order = elements == "P2/P1" ? 3.0 : 1.9, nodal = elements == "P2/P1" ? 2.0 : 1.0;
+    const double order = elements == input::Elements::P2P1 ? 3.0 : 1.9, nodal = elements == input::Elements::P2P1 ? 2.0 : 1.0;
     EXPECT_GE(std::log2(std::abs(errors[1].pressure / errors[2].pressure)), order);
     EXPECT_GE(std::log2(std::abs(errors[1].displacement / errors[2].displacement)), order);
     EXPECT_GE(std::log2(errors[1].nodal_rms / errors[2].nodal_rms), nodal);

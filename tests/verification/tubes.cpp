@@ -89,7 +89,7 @@ TEST(FreeBore, ASleeveClosesItAsItsRowsSay) {
     input::GarmentSpec& sleeve = c.c.garments.emplace_back();
     sleeve.pattern.flat_circumference = 2.0 * std::numbers::pi * 0.044, sleeve.pattern.length = length;
     sleeve.fabric.table = input::table_of("law = 'cubic'\nk1 = '200 N/m'\nk3 = '0 N/m'\nshear = '60 N/m'\npoisson = 0");
-    sleeve.held = {{.edge = "upper", .held = "axis"}, {.edge = "lower", .held = "axis"}};
+    sleeve.held = {{.edge = "upper", .held = input::HeldDirection::axis}, {.edge = "lower", .held = input::HeldDirection::axis}};
     mesh::Limb limb;
     limb.skin = std::make_unique<Round>(), limb.upper = length;
     const mesh::GarmentMesh garment = mesh::make_garment_mesh(sleeve, limb, 0.5 * c.mesh.mean_skin_cell);

@@ -29,7 +29,7 @@ input::StudyVariant scaled(const input::Case& description, double factor) {
     level.set.push_back(fmt::format("body.cells_around={}", times(factor, body->cells_around, 8)));
     level.set.push_back(fmt::format("body.cells_along={}", times(factor, body->cells_along, 1)));
     for (std::size_t n = 0; n < body->layers.size(); ++n)
-      if (body->layers[n].form == "solid")
+      if (body->layers[n].form == input::LayerForm::solid)
         level.set.push_back(fmt::format("body.layers.{}.cells={}", n, times(factor, body->layers[n].cells, 1)));
   }
   for (const input::GarmentSpec& garment : description.garments)
@@ -42,8 +42,8 @@ input::StudyVariant scaled(const input::Case& description, double factor) {
 std::vector<input::StudyVariant> default_series(const input::Case& description) {
   std::vector<input::StudyVariant> series = {{"the case", {}}};
   if (description.contacts.empty()) return series;
-  if (description.solver.tier == "L4") series.push_back({"tier L1", {"solver.tier=L1"}});
-  if (description.solver.tier != "L0") series.push_back({"straight elements", {"body.facets=flat", "garment.order=1"}});
+  if (description.solver.tier == input::Tier::L4) series.push_back({"tier L1", {"solver.tier=L1"}});
+  if (description.solver.tier != input::Tier::L0) series.push_back({"straight elements", {"body.facets=flat", "garment.order=1"}});
   return series;
 }
 

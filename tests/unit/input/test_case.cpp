@@ -85,10 +85,10 @@ TEST_F(CaseDirectory, WholeCaseArrivesInSi) {
   EXPECT_EQ(c.title, "t");
   EXPECT_DOUBLE_EQ(c.garments.front().pattern.flat_circumference, 0.42);
   EXPECT_TRUE(fs::exists(c.body->stations));
-  EXPECT_EQ(c.body->layers[0].form, "rigid");
-  EXPECT_EQ(c.body->layers[1].form, "solid");
+  EXPECT_EQ(c.body->layers[0].form, LayerForm::rigid);
+  EXPECT_EQ(c.body->layers[1].form, LayerForm::solid);
   EXPECT_EQ(c.body->layers[1].cells, 3);
-  EXPECT_EQ(c.body->layers[2].form, "membrane");
+  EXPECT_EQ(c.body->layers[2].form, LayerForm::membrane);
   EXPECT_EQ(c.garments.front().fabric.where.line, 11);
   EXPECT_EQ(c.garments.front().fabric.where.column, 10);
   EXPECT_EQ(c.contacts.size(), 1u);
@@ -179,7 +179,7 @@ TEST_F(CaseDirectory, OverridesPassTheSameReader) {
   EXPECT_DOUBLE_EQ(c.garments.front().pattern.length, 0.2);
   EXPECT_EQ(c.body->layers[1].cells, 5);
   EXPECT_DOUBLE_EQ(*c.body->layers[2].thickness, 2e-3);
-  EXPECT_EQ(c.solver.tier, "L1");
+  EXPECT_EQ(c.solver.tier, Tier::L1);
   const auto errors = errors_of(
       good_, {.overrides = {"garment.position=3", "garment.fabrik=x", "body.layers.fat.cells=1", "nonsense"}});
   EXPECT_EQ(errors.size(), 4u) << all(errors);

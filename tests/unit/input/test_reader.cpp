@@ -3,8 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "cases/input/echo.hpp"
 #include "cases/input/material_reference.hpp"
 #include "cases/input/reader.hpp"
+#include "cases/input/reference.hpp"
 
 namespace snug::input {
 namespace {
@@ -148,6 +150,39 @@ TEST(Reader, HostileTextIsAnErrorAndNoCrash) {
     ASSERT_EQ(diagnostics.errors().size(), 1u);
     EXPECT_EQ(diagnostics.errors()[0].where.line, 2) << to_string(diagnostics.errors()[0]);
   }
+}
+
+enum class Fibre { wool, raw_silk };
+constexpr auto texts_of(Fibre) { return std::array{"wool", "raw silk"}; }
+
+struct Yarn {
+  Fibre fibre = Fibre::wool;
+  std::vector<Fibre> plied = {};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "fibre", .meaning = "what it is spun of"}, self.fibre);
+    field(Field{.key = "plied"}, self.plied);
+  }
+};
+
+TEST(Reader, AChoiceIsReadAsItsEnumerator) {
+  // One of the texts of an enum is read as its enumerator, written as that text again, and explained with all of them; what is
+  // none of them is an error and leaves the default.
+  Diagnostics diagnostics;
+  const Table table = parse_text("fibre = \"raw silk\"\nplied = [\"wool\", \"raw silk\"]\n", {"case.toml", 1, 1}, diagnostics);
+  const Yarn yarn = read<Yarn>(table, diagnostics);
+  EXPECT_FALSE(diagnostics.any());
+  EXPECT_EQ(yarn.fibre, Fibre::raw_silk);
+  EXPECT_EQ(yarn.plied, (std::vector{Fibre::wool, Fibre::raw_silk}));
+  EXPECT_EQ(to_toml(to_table(yarn)), "fibre = \"raw silk\"\nplied = [\"wool\", \"raw silk\"]\n");
+  const std::vector<ReferenceRow> rows = reference_of<Yarn>();
+  EXPECT_EQ(rows.front().kind, "choice");
+  EXPECT_EQ(rows.front().default_value, "\"wool\"");
+  EXPECT_EQ(rows.front().field.choices, (std::vector<std::string>{"wool", "raw silk"}));
+  EXPECT_EQ(read<Yarn>(parse_text("fibre = \"raw silt\"\n", {"case.toml", 1, 1}, diagnostics), diagnostics).fibre, Fibre::wool);
+  ASSERT_EQ(diagnostics.errors().size(), 1u);
+  EXPECT_EQ(to_string(diagnostics.errors()[0]), "case.toml:1:9: error: \"raw silt\" is no fibre; did you mean raw silk? known: wool, raw silk");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ inline input::BodySpec layered_spec() {
   input::BodySpec spec;
   spec.layers.resize(3);
   spec.layers[0].name = "bone";
-  spec.layers[0].form = "rigid";
+  spec.layers[0].form = input::LayerForm::rigid;
   spec.layers[1].name = "tissue";
   spec.layers[2].name = "skin";
   spec.layers[2].thickness = 2e-3;

@@ -90,7 +90,7 @@ TEST(BodyMesh, BoneAndCutPlanesHoldExactlyTheirNodes) {
 
 TEST(BodyMesh, AMembraneSkinTakesNoCells) {
   auto spec = layered_spec();
-  spec.layers[2].form = "membrane";
+  spec.layers[2].form = input::LayerForm::membrane;
   const BodyMesh mesh = make_body_mesh(spec, cylinder());
   EXPECT_EQ(mesh.cells.size(), 16u * 6 * 2);
   ASSERT_EQ(mesh.membranes.size(), 1u);
@@ -151,8 +151,8 @@ TEST(BodyMesh, WrongLayersAreRefusedWithARemedy) {
 // An elastic bone is filled by a square of cells and rings round it; its volume is that of its outline.
 TEST(BodyMesh, AnElasticBoneIsMeshedToItsMiddle) {
   auto spec = layered_spec();
-  spec.layers[0].form = "solid", spec.layers[0].material.name = "bone";
-  for (const char* elements : {"Q2/P1", "Q1/P0"}) {
+  spec.layers[0].form = input::LayerForm::solid, spec.layers[0].material.name = "bone";
+  for (const input::Elements elements : {input::Elements::Q2P1, input::Elements::Q1P0}) {
     spec.elements = elements, spec.cells_around = 32;
     const BodyMesh mesh = make_body_mesh(spec, cylinder());
     const auto rows = quality(mesh);
@@ -168,7 +168,7 @@ TEST(BodyMesh, AnElasticBoneIsMeshedToItsMiddle) {
 // Six tetrahedra in each hexahedron: same volume, same curved skin, no gaps between them.
 TEST(BodyMesh, TetrahedraFillTheLimbUpToItsCurvedSkin) {
   auto spec = layered_spec();
-  spec.elements = "P2/P1", spec.cells_around = 32;
+  spec.elements = input::Elements::P2P1, spec.cells_around = 32;
   const BodyMesh mesh = make_body_mesh(spec, cylinder());
   const auto rows = quality(mesh);
   EXPECT_EQ(rows[0].cells, 6 * 32 * 6 * 2);

@@ -147,7 +147,7 @@ TEST(GarmentMesh, EdgesListEachSewnNodeOnceWithMidNodes) {
 TEST(GarmentMesh, TheWarpFollowsThePattern) {
   auto spec = tube_spec();
   EXPECT_EQ(make_garment_mesh(spec, cylinder(), cell).warp.at(0), Eigen::Vector2d(0, 1));
-  spec.warp = "around";
+  spec.warp = input::WarpDirection::around;
   EXPECT_EQ(make_garment_mesh(spec, cylinder(), cell).warp.at(0), Eigen::Vector2d(1, 0));
 }
 

@@ -49,7 +49,7 @@ File two_boxes(bool hexahedra, int order, const std::function<void()>& finish = 
 
 input::BodySpec spec_of(const File& file) {
   input::BodySpec spec;
-  spec.kind = "imported", spec.mesh = file.path, spec.unit = 1e-3;
+  spec.kind = input::BodyKind::imported, spec.mesh = file.path, spec.unit = 1e-3;
   for (const char* name : {"soft", "hard"}) spec.layers.emplace_back().name = name;
   return spec;
 }
@@ -72,7 +72,7 @@ TEST(Import, HexahedraAndTetrahedraComeWithTheirLayersAndSurfaces) {
 TEST(Import, LinearHexahedraStayLinearWhenAskedFor) {
   const File file = two_boxes(true, 2);
   auto spec = spec_of(file);
-  spec.elements = "Q1/P0";
+  spec.elements = input::Elements::Q1P0;
   const BodyMesh mesh = import_body_mesh(spec);
   EXPECT_EQ(mesh.kind, CellKind::hex8);
   for (const QualityRow& row : quality(mesh)) EXPECT_NEAR(row.volume, 1e-9, 1e-18);
@@ -81,7 +81,7 @@ TEST(Import, LinearHexahedraStayLinearWhenAskedFor) {
 TEST(Import, ARigidVolumeIsLeftOutAndHeldWhereItTouches) {
   const File file = two_boxes(true, 1);
   auto spec = spec_of(file);
-  spec.layers[1].form = "rigid";
+  spec.layers[1].form = input::LayerForm::rigid;
   const BodyMesh mesh = import_body_mesh(spec);
   EXPECT_EQ(mesh.layers.size(), 1u);
   EXPECT_FALSE(mesh.bone_nodes.empty());
@@ -102,7 +102,7 @@ TEST(Import, WhatDoesNotFitIsRefusedWithARemedy) {
   const File file = two_boxes(false, 1);
   refused(file, [](auto& s) { s.layers[0].name = "softt"; }, {"no physical volume \"softt\"", "soft, hard"});
   refused(file, [](auto& s) { s.layers.pop_back(); }, {"\"hard\"", "is no layer of the case"});
-  refused(file, [](auto& s) { s.elements = "Q1/P0"; }, {"tetrahedra", "cannot be Q1/P0"});
+  refused(file, [](auto& s) { s.elements = input::Elements::Q1P0; }, {"tetrahedra", "cannot be Q1/P0"});
 }
 
 TEST(Import, AnInvertedCellIsNamedWithNumberLayerAndPlace) {
@@ -140,9 +140,9 @@ TEST(Import, PhysicalSurfacesBecomeAShell) {
       gmsh::write(file.path.string());
     }
     input::BodySpec spec;
-    spec.kind = "imported", spec.mesh = file.path, spec.unit = 1e-3;
+    spec.kind = input::BodyKind::imported, spec.mesh = file.path, spec.unit = 1e-3;
     input::LayerSpec& panel = spec.layers.emplace_back();
-    panel.name = "panel", panel.form = "shell", panel.thickness = 2e-4, panel.foundation = 5e6;
+    panel.name = "panel", panel.form = input::LayerForm::shell, panel.thickness = 2e-4, panel.foundation = 5e6;
     const BodyMesh body = import_body_mesh(spec);
     EXPECT_TRUE(body.cells.empty());
     EXPECT_NEAR(quality(body)[0].volume, 2e-6 * 2e-4, 1e-18);

@@ -150,7 +150,7 @@ TEST(Stations, AMissingFileAndAnUnknownKindAreRefused) {
   input::BodySpec spec = layered_spec();
   spec.stations = "/nowhere/calf.csv";
   EXPECT_THROW(make_limb(spec), input::InputError);
-  spec.kind = "statoins";
+  spec.kind = input::BodyKind::imported;
   EXPECT_THROW(make_limb(spec), input::InputError);
 }
 

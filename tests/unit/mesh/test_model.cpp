@@ -226,7 +226,7 @@ TEST(RoundTrip, WhatIsWrittenIsReadBack) {
 
 input::BodySpec spec_in_mm() {
   input::BodySpec spec;
-  spec.kind = "imported", spec.mesh = "body.inp", spec.unit = 1e-3;
+  spec.kind = input::BodyKind::imported, spec.mesh = "body.inp", spec.unit = 1e-3;
   return spec;
 }
 
@@ -249,7 +249,7 @@ TEST(ForeignBody, AStraightHexahedronBecomesAQuadraticOneInSi) {
   EXPECT_EQ(*body.layers[0].material.table.find("bulk_modulus")->text(), "1000000000 Pa");
   EXPECT_TRUE(std::is_sorted(body.node_numbers.begin(), body.node_numbers.end()));
   input::BodySpec linear = spec_in_mm();
-  linear.elements = "Q1/P0";
+  linear.elements = input::Elements::Q1P0;
   EXPECT_EQ(body_of(calculix(cube), linear).nodes.size(), 8u);
 }
 
@@ -296,7 +296,7 @@ TEST(ForeignBody, TheThesisShellIsOneClosedSurfaceInSi) {
   std::string text = double_pyramid;
   text.replace(text.find("a, 2, 3, 5"), 10, "a, 3, 2, 5");
   input::BodySpec spec;
-  spec.kind = "imported", spec.mesh = "body.txt", spec.unit = 1e-2;
+  spec.kind = input::BodyKind::imported, spec.mesh = "body.txt", spec.unit = 1e-2;
   const BodyMesh body = body_of(apdl(text), spec);
   ASSERT_EQ(body.shell.size(), 8u);
   EXPECT_TRUE(body.cells.empty());
@@ -316,7 +316,7 @@ TEST(ForeignBody, QuadrilateralsAreCutAndBranchesRefused) {
   const Model quad = calculix("*NODE\n1,0,0,0\n2,2,0,0\n3,2,1,0\n4,0,1,0\n5,1,0,0\n6,2,.5,0\n7,1,1,0\n8,0,.5,0\n*ELEMENT,TYPE=S8R,ELSET=E\n"
                               "1,1,2,3,4,5,6,7,8\n*MATERIAL,NAME=M\n*ELASTIC\n10.,.3\n*SHELL SECTION,ELSET=E,MATERIAL=M\n.1\n*BOUNDARY\n1,1,6\n4,1,6\n*STEP\n*STATIC\n*DLOAD\nE,P,2.\n*END STEP\n");
   input::BodySpec spec;
-  spec.kind = "imported", spec.mesh = "body.inp";
+  spec.kind = input::BodyKind::imported, spec.mesh = "body.inp";
   const BodyMesh body = body_of(quad, spec);
   EXPECT_EQ(body.shell.size(), 2u);
   EXPECT_EQ(body.nodes.size(), 9u);

@@ -33,11 +33,11 @@ class ScanFile {
   /// A scan body between heights 0.1 and 0.3 m.
   input::BodySpec spec() const {
     input::BodySpec spec = layered_spec();
-    spec.kind = "scan";
+    spec.kind = input::BodyKind::scan;
     spec.scan.emplace();
     spec.scan->surface = path;
-    spec.scan->up = "y";
-    spec.scan->front = "z";
+    spec.scan->up = input::FileAxis::y;
+    spec.scan->front = input::FileAxis::z;
     spec.scan->lower = {{0, 0.1, 0}, {0, -1, 0}};
     spec.scan->upper = {{0, 0.3, 0}, {0, 1, 0}};
     spec.scan->smoothing_radius = 0.01;
@@ -170,8 +170,7 @@ TEST(Scan, WrongScansAreRefusedWithARemedy) {
     change(*spec.scan);
     return spec;
   };
-  expect_error(with([](auto& s) { s.up = "w"; }), "no axis");
-  expect_error(with([](auto& s) { s.front = "-y"; }), "lie along one axis");
+  expect_error(with([](auto& s) { s.front = input::FileAxis::minus_y; }), "lie along one axis");
   expect_error(with([](auto& s) { s.lower.normal = {1, 1, 0}; }), "tilted by 45 degrees");
   expect_error(with([](auto& s) { s.upper.point[1] = 0.05; }), "not above the lower one");
   expect_error(with([](auto& s) { s.upper.point[1] = 0.5; }), "ends or joins");

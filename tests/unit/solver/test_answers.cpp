@@ -143,17 +143,17 @@ TEST(Stage, AreThoseOfTheCase) {
   c.contacts.front().friction = 0.0;
   const std::string rubbing = "tightening where it was placed, releasing the body, letting go";
   EXPECT_EQ(stages(c), "rigid skin, body | " + rubbing + ", fading friction, without friction");
-  c.solver.tier = "L1";
+  c.solver.tier = input::Tier::L1;
   EXPECT_EQ(stages(c), "rigid skin | tightening where it was placed, letting go, fading friction, without friction");
   c.garments.front().held.clear();
   EXPECT_EQ(stages(c), "rigid skin");  // it would slide off on the other way, too
   c.contacts.front().friction = 0.4;
   EXPECT_EQ(stages(c), "tightening where it was placed, letting go");
-  c.solver.tier = "L4";
+  c.solver.tier = input::Tier::L4;
   EXPECT_EQ(stages(c), rubbing);
   c.contacts.clear();
   EXPECT_EQ(stages(c), "body");
-  c.solver.tier = "L0";
+  c.solver.tier = input::Tier::L0;
   EXPECT_EQ(stages(c), "");
 }
 
@@ -258,7 +258,7 @@ Slipping slipping(const postproc::GarmentResult& garment) {
 /// A sleeve whose ends draw in until friction bears what the stretch of the hoop pulls along: some 15 N/m.
 postproc::RunResult drawn_in(double friction) {
   TubeCase tube = coarse();
-  tube.tier = "L1", tube.cell_size = 0.012;
+  tube.tier = input::Tier::L1, tube.cell_size = 0.012;
   tube.fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0.05";
   input::Case c = describe_tube(tube);
   c.garments.front().held.clear();
@@ -295,7 +295,7 @@ TEST(Slip, StandsAtTheBoundOfTheCase) {
 // Force over length and pressure of a sleeve on a rigid tube, by hand: hoop stretch l = 1.25, tension c l (l^2 - 1) / 2, over the radius.
 TEST(Numbers, TensionAndPressureOnARigidTube) {
   TubeCase tube = coarse();
-  tube.tier = "L1", tube.around = 16;
+  tube.tier = input::Tier::L1, tube.around = 16;
   const postproc::RunResult result = run(tube);
   const double tension = 1000.0 * 1.25 * (1.25 * 1.25 - 1.0) / 2.0;  // 351.6 N/m
   for (const double found : result.garment.tension_weft) EXPECT_NEAR(found, tension, 0.01 * tension);
@@ -305,7 +305,7 @@ TEST(Numbers, TensionAndPressureOnARigidTube) {
 // The mean pressure is the force over the area that touches: cloth that stands off is not counted.
 TEST(Numbers, TheMeanPressureIsOverWhatTouches) {
   TubeCase tube = coarse();
-  tube.tier = "L1", tube.along = 4, tube.taper = 0.1, tube.sleeve = 0.0575;  // on a limb of 55 to 61 mm
+  tube.tier = input::Tier::L1, tube.along = 4, tube.taper = 0.1, tube.sleeve = 0.0575;  // on a limb of 55 to 61 mm
   const postproc::RunResult result = run(tube);
   ASSERT_EQ(result.status, "converged") << result.message;
   double force = 0.0, touching = 0.0, all = 0.0;

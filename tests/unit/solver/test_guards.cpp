@@ -64,7 +64,7 @@ TEST(Guards, ASoundResultHasNoWarning) {
 TEST(Guards, FabricBeyondItsDataIsNamed) {
   for (const double end : {0.2, 0.3}) {
     TubeCase tube = small();
-    tube.tier = "L1";
+    tube.tier = input::Tier::L1;
     tube.fabric = "law = 'cubic'\nk1 = '1000 N/m'\nk3 = '0 N/m'\nshear = '300 N/m'\ndata_end = " + std::to_string(end);
     const Worn worn(tube);
     EXPECT_NEAR(worn.result.numbers.at("fabric_data_end"), end, 1e-12);
@@ -87,7 +87,7 @@ TEST(Guards, FabricBeyondItsDataIsNamed) {
 // own coupling is none: nu = 0.5 at a hoop stretch of 1.25 contracts it to sqrt(1 - 0.5 (1.25^2 - 1)) = 0.848.
 TEST(Guards, GatheredClothIsNamedAndContractionIsNot) {
   TubeCase tube = small();
-  tube.tier = "L1";
+  tube.tier = input::Tier::L1;
   tube.fabric = "law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0.5";
   Worn worn(tube);
   auto& garment = worn.result.garment;

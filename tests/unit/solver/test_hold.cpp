@@ -13,7 +13,7 @@ constexpr double taper = 0.15;  // radius over height
 /// A sleeve of 80 mm in the middle of a cone of 120 mm, held at its wider end, on the rigid skin.
 input::Case on_cone(double slope, int around = 16) {
   TubeCase tube;
-  tube.around = around, tube.along = around / 2, tube.through = 1, tube.length = 0.120, tube.tier = "L1";
+  tube.around = around, tube.along = around / 2, tube.through = 1, tube.length = 0.120, tube.tier = input::Tier::L1;
   input::Case c = describe_tube(tube);
   c.body->stations = std::filesystem::temp_directory_path() / ("snug-hold-" + std::to_string(::getpid()) + ".csv");
   std::ofstream out(c.body->stations);
@@ -21,7 +21,7 @@ input::Case on_cone(double slope, int around = 16) {
   out << "height [m], girth [m], bone_girth [m]\n";
   for (const double z : {0.0, 0.06, 0.12}) out << z << ", " << 2.0 * std::numbers::pi * (0.055 + slope * (z - 0.06)) << ", 0.1\n";
   c.garments.front().position = 0.020, c.garments.front().pattern.length = 0.080;
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   c.contacts.front().friction = 0.0;
   return c;
 }

@@ -40,7 +40,7 @@ TEST(Newton, TheTubeSleeveConvergesQuadraticallyAtTheEndAndIsInBalance) {
 
 TEST(Newton, TheRigidTierIsInBalanceToo) {
   TubeCase tube;
-  tube.tier = "L1";
+  tube.tier = input::Tier::L1;
   const postproc::RunResult result = run(tube);
   ASSERT_EQ(result.status, "converged") << result.message;
   expect_balance(result.balance, tube.radius);
@@ -49,7 +49,7 @@ TEST(Newton, TheRigidTierIsInBalanceToo) {
 TEST(Newton, TheDualBasisGivesTheSameMeanPressure) {
   TubeCase tube;
   const double hat = run(tube).numbers.at("mean_contact_pressure_Pa");
-  tube.basis = "dual";
+  tube.basis = input::GapTests::dual;
   const postproc::RunResult dual = run(tube);
   ASSERT_EQ(dual.status, "converged") << dual.message;
   EXPECT_NEAR(dual.numbers.at("mean_contact_pressure_Pa"), hat, 1e-3 * hat);

@@ -54,7 +54,7 @@ TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
 
 TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
   TubeCase tube = coarse();
-  tube.tier = "L1";
+  tube.tier = input::Tier::L1;
   const input::Case c = describe_tube(tube);
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
   const postproc::RunResult result = run(tube);
@@ -67,7 +67,7 @@ TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
 TEST(Parts, AGarmentWithoutContactHasNoContactTermAndNoMultipliers) {
   input::Case c = describe_tube(coarse());
   c.contacts.clear();
-  c.solver.tier = "L1";
+  c.solver.tier = input::Tier::L1;
   const solver::Meshes meshes = make_meshes(c);
   EXPECT_THAT(tests::plan(c, meshes).unknowns, ElementsAre(Key("garment")));
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment"));
@@ -75,7 +75,7 @@ TEST(Parts, AGarmentWithoutContactHasNoContactTermAndNoMultipliers) {
 
 TEST(Parts, TierL0HasNoUnknownsAtAll) {
   TubeCase tube = coarse();
-  tube.tier = "L0";
+  tube.tier = input::Tier::L0;
   const input::Case c = describe_tube(tube);
   EXPECT_TRUE(tests::plan(c, make_meshes(c)).unknowns.empty());
   const postproc::RunResult result = run(tube);
@@ -122,9 +122,9 @@ TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo)
 TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
   TubeCase tube = coarse();
   tube.sleeve = 0.058;
-  tube.tier = "L1";
+  tube.tier = input::Tier::L1;
   input::Case c = describe_tube(tube);
-  c.garments.front().held = {{.edge = "upper", .held = "axis"}};
+  c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   c.garments.front().fabric.table.set("B", input::value_without_place(std::string("2e-6 N m")));
   c.garments.front().fabric.table.set("weight", input::value_without_place(std::string("100 g/m2")));
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
@@ -176,7 +176,7 @@ TEST(Equilibrium, TheDirectionOfSlidingFollowsTheCone) {
 
 TEST(Equilibrium, AFreeSleeveOnARigidCylinderIsInEquilibrium) {
   input::Case c = free_sleeve(0.055, 0.055);
-  c.solver.tier = "L1";
+  c.solver.tier = input::Tier::L1;
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
   EXPECT_EQ(result.status, "converged") << result.message;
 }
@@ -201,7 +201,7 @@ TEST(Laplace, PressureOnACylinderIsTensionOverRadius) {
 // What a rigid body leaves out is said, and its facets by their right name.
 TEST(Parts, ARigidBodySaysWhatItLeavesOut) {
   TubeCase tube;
-  tube.tier = "L1", tube.elements = "P2/P1";
+  tube.tier = input::Tier::L1, tube.elements = input::Elements::P2P1;
   input::Case c = describe_tube(tube);
   input::SupportSpec& support = c.support.emplace_back();
   support.on = "upper", support.z = 0.0;
@@ -213,7 +213,7 @@ TEST(Parts, ARigidBodySaysWhatItLeavesOut) {
 // Two sleeves on one tube far enough apart press as each does alone, and each has its own unknowns, contact and edges.
 TEST(Parts, TwoGarmentsAreTwoParts) {
   TubeCase tube;
-  tube.tier = "L1", tube.length = 0.12;
+  tube.tier = input::Tier::L1, tube.length = 0.12;
   input::Case both = describe_tube(tube);
   both.garments.push_back(both.garments.front());
   both.garments[0].name = "low", both.garments[0].pattern.length = 0.04;
@@ -239,7 +239,7 @@ TEST(Parts, TwoGarmentsAreTwoParts) {
 // Of two sleeves on a taper the one that rubs stays; the other is held by nothing, and the run says which and does not converge.
 TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
   TubeCase tube;
-  tube.tier = "L1", tube.length = 0.12, tube.taper = 0.1;
+  tube.tier = input::Tier::L1, tube.length = 0.12, tube.taper = 0.1;
   input::Case c = describe_tube(tube);
   c.garments.push_back(c.garments.front());
   c.garments[0].name = "rough", c.garments[0].pattern.length = 0.03;
@@ -258,7 +258,7 @@ TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
 // Garments over one another do not touch each other in the scene, and the plan says so; side by side there is nothing to say.
 TEST(Parts, GarmentsOverOneAnotherAreSaid) {
   TubeCase tube;
-  tube.tier = "L1", tube.length = 0.12;
+  tube.tier = input::Tier::L1, tube.length = 0.12;
   input::Case c = describe_tube(tube);
   c.garments.push_back(c.garments.front());
   c.garments[0].name = "low", c.garments[0].pattern.length = 0.06;

@@ -20,7 +20,7 @@ struct Shaken {
   solver::Scene scene;
   State state;
 
-  explicit Shaken(Skin skin, const std::string& basis = "hat", double axial = 1.05)
+  explicit Shaken(Skin skin, input::GapTests basis = input::GapTests::hat, double axial = 1.05)
       : description(describe(basis)),
         meshes(make_meshes(description)),
         scene(tests::make_scene(description, meshes, skin)),
@@ -39,14 +39,14 @@ struct Shaken {
     for (const auto& term : scene.terms()) settle(*term, state);
   }
 
-  static input::Case describe(const std::string& basis) {
+  static input::Case describe(input::GapTests basis) {
     TubeCase tube;
     tube.around = 6, tube.along = 2, tube.through = 1, tube.cell_size = 0.03, tube.basis = basis;
     input::Case c = describe_tube(tube);
     c.load.emplace();
     c.load->skin_pressure = 3000.0;
     input::LayerSpec& skin = c.body->layers.emplace_back();
-    skin.name = "skin", skin.form = "membrane", skin.thickness = 1.5e-3, skin.material.table = input::table_of(tube.tissue);
+    skin.name = "skin", skin.form = input::LayerForm::membrane, skin.thickness = 1.5e-3, skin.material.table = input::table_of(tube.tissue);
     return c;
   }
 
@@ -95,20 +95,20 @@ TEST(Tangents, SkinMembraneIsTheSecondDerivativeOfItsEnergy) {
 }
 
 TEST(Tangents, TautFabricIsTheSecondDerivativeOfItsEnergy) {
-  Shaken shaken(Skin::deformable, "hat", 1.05);
+  Shaken shaken(Skin::deformable, input::GapTests::hat, 1.05);
   auto& fabric = *shaken.scene.find<solver::FabricMembrane>();
   for (int t = 0; t < fabric.triangles(); ++t) EXPECT_EQ(fabric.summary(shaken.state, t).wrinkled, 0.0);
   expect_consistent(fabric, shaken.state, shaken.direction());
 }
 
 TEST(Tangents, WrinkledFabricIsTheSecondDerivativeOfItsRelaxedEnergy) {
-  Shaken shaken(Skin::deformable, "hat", 0.94);
+  Shaken shaken(Skin::deformable, input::GapTests::hat, 0.94);
   auto& fabric = *shaken.scene.find<solver::FabricMembrane>();
   for (int t = 0; t < fabric.triangles(); ++t) EXPECT_EQ(fabric.summary(shaken.state, t).wrinkled, 1.0);
   expect_consistent(fabric, shaken.state, shaken.direction());
 }
 
-class ContactTangent : public testing::TestWithParam<std::tuple<Skin, std::string>> {};
+class ContactTangent : public testing::TestWithParam<std::tuple<Skin, input::GapTests>> {};
 
 TEST_P(ContactTangent, IsTheDerivativeOfForcesAndGapsWithPointsFoundAnew) {
   Shaken shaken(std::get<0>(GetParam()), std::get<1>(GetParam()));
@@ -138,10 +138,10 @@ TEST_P(ContactTangent, ForcesAreLinearInThePressures) {
 
 INSTANTIATE_TEST_SUITE_P(SkinsAndBases, ContactTangent,
                          testing::Combine(testing::Values(Skin::rigid, Skin::deformable),
-                                          testing::Values("hat", "dual")),
+                                          testing::Values(input::GapTests::hat, input::GapTests::dual)),
                          [](const auto& info) {
                            return std::string(std::get<0>(info.param) == Skin::rigid ? "rigid_" : "deformable_") +
-                                  std::get<1>(info.param);
+                                  text_of(std::get<1>(info.param));
                          });
 
 /// The force is a quadratic polynomial of the positions, so that central differences are exact at any step.

@@ -13,13 +13,13 @@ namespace {
 
 input::BodySpec thigh_spec() {
   input::BodySpec spec = layered_spec();
-  spec.kind = "scan";
+  spec.kind = input::BodyKind::scan;
   spec.cells_around = 32;
   spec.cells_along = 12;
   spec.scan.emplace();
   spec.scan->surface = std::filesystem::path(SNUG_SCAN_DIR) / "mean_female.obj";
-  spec.scan->up = "y";
-  spec.scan->front = "z";
+  spec.scan->up = input::FileAxis::y;
+  spec.scan->front = input::FileAxis::z;
   spec.scan->lower = {{0.09, 0.55, 0.0}, {0, -1, 0}};
   spec.scan->upper = {{0.09, 0.72, 0.0}, {0, 1, 0}};
   spec.scan->smoothing_radius = 0.02;
