@@ -110,7 +110,7 @@ void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, co
 
 Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem::path& directory) {
   Evidence evidence{load_curves(comfort.curves, directory), {}};
-  for (const input::MaterialReference& set : comfort.thresholds)
+  for (const input::MaterialEntry& set : comfort.thresholds)
     evidence.thresholds.push_back(load_bands(set, directory));
   if (!comfort.fuzzy.name.empty()) load_fuzzy(comfort.fuzzy, {}, directory);
   return evidence;

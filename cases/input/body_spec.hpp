@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/input/field.hpp"
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 
 namespace snug::input {
 
@@ -37,7 +37,7 @@ constexpr auto texts_of(Ends) { return std::array{"sliding", "free", "fixed"}; }
 /// One layer of the body, listed from the inside out.
 struct LayerSpec {
   std::string name;
-  MaterialReference material;
+  MaterialEntry material;
   std::optional<double> thickness;  ///< m; one solid layer may leave it out and takes the rest
   LayerForm form = LayerForm::solid;
   double foundation = 0.0;          ///< Pa/m, under a shell

@@ -12,7 +12,7 @@
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/garment_spec.hpp"
 #include "cases/input/load_spec.hpp"
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "cases/input/reference_spec.hpp"
 #include "cases/input/study_spec.hpp"
 
@@ -60,9 +60,9 @@ struct ContactSpec {
 };
 
 struct ComfortSpec {
-  MaterialReference curves;                   ///< shipped set, TOML or CSV file of the case
-  MaterialReference fuzzy;                    ///< shipped system, .fll or .fis file; empty: table 5.4 over the locations
-  std::vector<MaterialReference> thresholds;  ///< sets of pressure bands
+  MaterialEntry curves;                   ///< shipped set, TOML or CSV file of the case
+  MaterialEntry fuzzy;                    ///< shipped system, .fll or .fis file; empty: table 5.4 over the locations
+  std::vector<MaterialEntry> thresholds;  ///< sets of pressure bands
   int samples = 1000;                         ///< of the ratings, for the interval of the score; 0: none
   int seed = 1;
 

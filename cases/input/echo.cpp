@@ -28,7 +28,7 @@ std::optional<Value> Echo::value_of(const Field&, const std::filesystem::path& m
   return value_without_place((inside ? relative : std::filesystem::absolute(member)).generic_string());
 }
 
-std::optional<Value> Echo::value_of(const Field& field, const MaterialReference& member) const {
+std::optional<Value> Echo::value_of(const Field& field, const MaterialEntry& member) const {
   if (write_out_)
     if (std::optional<Table> written = write_out_(field, member)) return value_without_place(std::move(*written));
   if (!member.name.empty()) return value_without_place(member.name);

@@ -16,8 +16,8 @@
 namespace snug::input {
 
 /// Visitor over one `describe`: collects the members as TOML values.
-/// Writes what a material reference means out as a table; what it does not know stays a name or the table as it stands.
-using WriteOut = std::function<std::optional<Table>(const Field&, const MaterialReference&)>;
+/// Writes what a material is out as a table; what it does not know stays a name or the table as it stands.
+using WriteOut = std::function<std::optional<Table>(const Field&, const MaterialEntry&)>;
 
 class Echo {
  public:
@@ -37,7 +37,7 @@ class Echo {
   std::optional<Value> value_of(const Field& field, bool member) const;
   std::optional<Value> value_of(const Field& field, const std::string& member) const;
   std::optional<Value> value_of(const Field& field, const std::filesystem::path& member) const;
-  std::optional<Value> value_of(const Field& field, const MaterialReference& member) const;
+  std::optional<Value> value_of(const Field& field, const MaterialEntry& member) const;
 
   template <class T>
   std::optional<Value> value_of(const Field& field, const std::optional<T>& member) const {

@@ -6,7 +6,7 @@
 //                 .bound = positive()}, self.shear_modulus);
 //   }
 //
-// next to the struct it fills. Reading, checking, the generated reference, the echo and the schema are visitors
+// next to the struct it fills. Reading, checking, the list of keys, the echo and the schema are visitors
 // over that one list. The default of a field is the member's own initial value; a std::optional member may be left out.
 #pragma once
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cases/input/field.hpp"
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 
 namespace snug::input {
 
@@ -64,7 +64,7 @@ struct HeldEdge {
 struct GarmentSpec {
   std::string name = "garment";
   PatternSpec pattern;
-  MaterialReference fabric;
+  MaterialEntry fabric;
   WarpDirection warp = WarpDirection::along;
   double position = 0.0;       ///< m; height of the lower edge as placed
   double seam = std::numbers::pi;  ///< rad; where it lies round the limb

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// A file that [comfort] names must lie in the case directory; other names are entries of the shipped data.
-void check_file(const MaterialReference& reference, const ReadRules& rules, Diagnostics& diagnostics) {
+void check_file(const MaterialEntry& reference, const ReadRules& rules, Diagnostics& diagnostics) {
   for (const char* ending : {".csv", ".toml", ".fll", ".fis"})
     if (fs::path(reference.name).extension() == ending)
       resolve_path(reference.name, reference.where, rules, diagnostics);
@@ -22,7 +22,7 @@ void check_file(const MaterialReference& reference, const ReadRules& rules, Diag
 void check_files(const ComfortSpec& comfort, const ReadRules& rules, Diagnostics& diagnostics) {
   check_file(comfort.curves, rules, diagnostics);
   check_file(comfort.fuzzy, rules, diagnostics);
-  for (const MaterialReference& set : comfort.thresholds) check_file(set, rules, diagnostics);
+  for (const MaterialEntry& set : comfort.thresholds) check_file(set, rules, diagnostics);
 }
 
 Table parse_case(const fs::path& directory, Diagnostics& diagnostics) {

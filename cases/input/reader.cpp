@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "cases/input/paths.hpp"
 #include "cases/input/suggestion.hpp"
 #include "cases/input/units.hpp"
@@ -127,7 +127,7 @@ void Reader::convert(const Field& field, const Value& value, std::filesystem::pa
       rules_.directory.empty() ? std::filesystem::path(*text) : resolve_path(*text, value.where, rules_, diagnostics_);
 }
 
-void Reader::convert(const Field& field, const Value& value, MaterialReference& member) const {
+void Reader::convert(const Field& field, const Value& value, MaterialEntry& member) const {
   member = {};
   member.where = value.where;
   if (value.text() && !value.text()->empty()) {

@@ -1,7 +1,7 @@
 // Reads a described struct from a TOML table:
 //
 //   Diagnostics diagnostics;
-//   auto law = read<NeoHooke>(reference.table, diagnostics, {.also_known = {"law", "source"}});
+//   auto law = read<NeoHooke>(entry.table, diagnostics, {.also_known = {"law", "source"}});
 //   diagnostics.throw_if_any();
 //
 // Every error has its place and remedy: unknown keys with the nearest known one, missing keys, bare numbers, wrong
@@ -21,7 +21,7 @@
 
 namespace snug::input {
 
-struct MaterialReference;
+struct MaterialEntry;
 
 struct ReadRules {
   std::vector<std::string> also_known = {};  ///< keys of this table that somebody else reads
@@ -47,7 +47,7 @@ class Reader {
   void convert(const Field& field, const Value& value, bool& member) const;
   void convert(const Field& field, const Value& value, std::string& member) const;
   void convert(const Field& field, const Value& value, std::filesystem::path& member) const;
-  void convert(const Field& field, const Value& value, MaterialReference& member) const;
+  void convert(const Field& field, const Value& value, MaterialEntry& member) const;
   const std::vector<Value>* array(const Field& field, const Value& value) const;
   const Table* sub_table(const Field& field, const Value& value) const;
   void wrong_length(const Field& field, const Value& value, std::size_t expected) const;

@@ -44,16 +44,16 @@ Fabric read_fabric(const input::Table& table) {
 
 }  // namespace
 
-Fabric find_fabric(const input::MaterialReference& reference) {
-  const Entry entry = find_entry(reference, shipped(), "fabric");
+Fabric find_fabric(const input::MaterialEntry& asked) {
+  const Entry entry = find_entry(asked, shipped(), "fabric");
   Fabric fabric = read_fabric(entry.table);
   fabric.name = entry.name;
   fabric.source = entry.provenance.text();
   return fabric;
 }
 
-input::Table written_out_fabric(const input::MaterialReference& reference) {
-  const Entry entry = find_entry(reference, shipped(), "fabric");
+input::Table written_out_fabric(const input::MaterialEntry& asked) {
+  const Entry entry = find_entry(asked, shipped(), "fabric");
   input::Diagnostics diagnostics;
   const std::string law = input::read_choice(entry.table, "law", {"linear", "cubic", "kes"}, diagnostics);
   const auto in_si = [&]<class Form>(Form) {

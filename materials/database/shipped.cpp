@@ -22,16 +22,16 @@ std::string Provenance::text() const {
   return line;
 }
 
-Entry find_entry(const input::MaterialReference& reference, const input::Table& shipped, const std::string& what) {
-  if (reference.is_inline()) {
-    Entry entry = with_provenance("own values", reference.table);
+Entry find_entry(const input::MaterialEntry& asked, const input::Table& shipped, const std::string& what) {
+  if (asked.is_inline()) {
+    Entry entry = with_provenance("own values", asked.table);
     if (!entry.provenance.name.empty()) entry.name = entry.provenance.name;
     if (entry.provenance.source.empty()) entry.provenance.source = "values of the case";
     return entry;
   }
-  if (const input::Table* table = shipped.table(reference.name)) return with_provenance(reference.name, *table);
-  throw input::InputError(reference.where, "no " + what + " is called \"" + reference.name + "\"",
-                          input::did_you_mean(reference.name, shipped.keys()));
+  if (const input::Table* table = shipped.table(asked.name)) return with_provenance(asked.name, *table);
+  throw input::InputError(asked.where, "no " + what + " is called \"" + asked.name + "\"",
+                          input::did_you_mean(asked.name, shipped.keys()));
 }
 
 input::Table written_out(const Entry& entry, const input::Table& form, const input::Table& more) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/input/field.hpp"
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "cases/input/table.hpp"
 
 namespace snug::materials {
@@ -30,16 +30,16 @@ struct Provenance {
   std::string text() const;
 };
 
-/// One entry by its name or the inline table of a reference, with the name it goes by.
+/// One entry by its name or the inline table of an entry, with the name it goes by.
 struct Entry {
   std::string name;
   input::Table table;
   Provenance provenance;
 };
 
-/// Finds the table that `reference` means: its own one, or the entry of that name in `shipped`. `what` ("fabric", "tissue") is
+/// Finds the table that `asked` means: its own one, or the entry of that name in `shipped`. `what` ("fabric", "tissue") is
 /// for the message. Throws input::InputError with the nearest known name.
-Entry find_entry(const input::MaterialReference& reference, const input::Table& shipped, const std::string& what);
+Entry find_entry(const input::MaterialEntry& asked, const input::Table& shipped, const std::string& what);
 
 /// An entry written out: its law with the values in SI and its defaults, what `more` adds, its name and where it comes from.
 input::Table written_out(const Entry& entry, const input::Table& form, const input::Table& more);

@@ -28,8 +28,8 @@ struct Properties {
 
 }  // namespace
 
-Tissue find_tissue(const input::MaterialReference& reference) {
-  const Entry entry = find_entry(reference, shipped(), "tissue");
+Tissue find_tissue(const input::MaterialEntry& asked) {
+  const Entry entry = find_entry(asked, shipped(), "tissue");
   input::Diagnostics diagnostics;
   std::vector<std::string> others = common_keys();
   others.insert(others.end(), {"range", "density"});
@@ -43,8 +43,8 @@ Tissue find_tissue(const input::MaterialReference& reference) {
           .source = entry.provenance.text()};
 }
 
-input::Table written_out_tissue(const input::MaterialReference& reference) {
-  const Entry entry = find_entry(reference, shipped(), "tissue");
+input::Table written_out_tissue(const input::MaterialEntry& asked) {
+  const Entry entry = find_entry(asked, shipped(), "tissue");
   input::Diagnostics diagnostics;
   const auto properties = input::read<Properties>(entry.table, diagnostics, {.also_known = entry.table.keys()});
   input::Table more = input::to_table(properties);
@@ -52,11 +52,11 @@ input::Table written_out_tissue(const input::MaterialReference& reference) {
   return written_out(entry, law_in_si(entry.table), more);
 }
 
-Tissue find_membrane_tissue(const input::MaterialReference& reference) {
-  Tissue tissue = find_tissue(reference);
+Tissue find_membrane_tissue(const input::MaterialEntry& asked) {
+  Tissue tissue = find_tissue(asked);
   if (!is_split(tissue.law))
     throw input::InputError(
-        reference.where,
+        asked.where,
         "a layer with thickness is a membrane, and the law of " + tissue.name + " is no incompressible one",
         "use neo-Hooke, Mooney-Rivlin, Ogden or Fung, or make it a layer of cells");
   return tissue;

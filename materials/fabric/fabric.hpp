@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "materials/laws/response.hpp"
 
 namespace snug::materials {
@@ -85,9 +85,9 @@ struct Fabric {
 Fabric with_usual_sheet(Fabric fabric);
 
 /// Shipped fabric (materials/data/fabrics.toml) or inline table. Throws input::InputError with the nearest known name.
-Fabric find_fabric(const input::MaterialReference& reference);
-/// The fabric as a table of its values in SI, which reads back to the same. The reference has been found before.
-input::Table written_out_fabric(const input::MaterialReference& reference);
+Fabric find_fabric(const input::MaterialEntry& asked);
+/// The fabric as a table of its values in SI, which reads back to the same. The entry has been found before.
+input::Table written_out_fabric(const input::MaterialEntry& asked);
 std::vector<std::string> fabric_names();
 
 }  // namespace snug::materials

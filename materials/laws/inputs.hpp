@@ -1,4 +1,4 @@
-// The forms in which a law of a solid is written down; each becomes a law, and each has its page of the reference.
+// The forms in which a law of a solid is written down; each becomes a law, and each has its page.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace snug::materials {
 
-/// What the reference says about a law beside its keys.
+/// What its page says about a law beside its keys.
 struct LawPage {
   std::string name;     ///< as in law = "..."
   std::string formula;  ///< plain text
@@ -185,7 +185,7 @@ struct LinearElasticInput {
   LinearElastic law() const { return {youngs_modulus, poisson_ratio}; }
 };
 
-/// Calls visit.operator()<Input>() for every form, in the order of the reference. Adding a law is a line here.
+/// Calls visit.operator()<Input>() for every form, in the order of the pages. Adding a law is a line here.
 template <class Visitor>
 void for_each_law_input(Visitor&& visit) {
   visit.template operator()<NeoHookeInput>();

@@ -1,4 +1,4 @@
-// The reference pages of the laws.
+// The pages of the laws.
 #include "materials/laws/inputs.hpp"
 
 namespace snug::materials {

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "materials/laws/compressible_neo_hooke.hpp"
 #include "materials/laws/fung.hpp"
 #include "materials/laws/linear_elastic.hpp"
@@ -102,13 +102,13 @@ struct Tissue {
   std::string source;                              ///< where the numbers come from and what was assumed
 };
 
-/// The tissue as a table of its values in SI, which reads back to the same. The reference has been found before.
-input::Table written_out_tissue(const input::MaterialReference& reference);
-/// Looks the reference up in the shipped data (materials/data/tissues.toml) or reads its inline table.
+/// The tissue as a table of its values in SI, which reads back to the same. The entry has been found before.
+input::Table written_out_tissue(const input::MaterialEntry& asked);
+/// Looks the entry up in the shipped data (materials/data/tissues.toml) or reads its inline table.
 /// Throws input::InputError with the nearest known name.
-Tissue find_tissue(const input::MaterialReference& reference);
+Tissue find_tissue(const input::MaterialEntry& asked);
 /// The same for a layer that is a membrane, which has to be incompressible: a law without split is an error.
-Tissue find_membrane_tissue(const input::MaterialReference& reference);
+Tissue find_membrane_tissue(const input::MaterialEntry& asked);
 std::vector<std::string> tissue_names();
 
 }  // namespace snug::materials

@@ -14,13 +14,13 @@ namespace snug::mesh {
 /// A solid layer of the body mesh, from the inside out.
 struct Layer {
   std::string name;
-  input::MaterialReference material;
+  input::MaterialEntry material;
 };
 
 /// A membrane carried by the skin surface.
 struct SkinMembrane {
   std::string name;
-  input::MaterialReference material;
+  input::MaterialEntry material;
   double thickness = 0.0;  ///< m
 };
 

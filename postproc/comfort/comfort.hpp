@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "postproc/comfort/fuzzy.hpp"
 
 namespace snug::postproc {
@@ -64,7 +64,7 @@ FuzzySystem comfort_system(const std::vector<std::string>& locations);
 
 /// The system that a case names: a shipped one, a .fll or .fis file relative to `directory`; for an empty name
 /// comfort_system of the locations. Throws InputError.
-FuzzySystem load_fuzzy(const input::MaterialReference& reference, const std::vector<std::string>& locations,
+FuzzySystem load_fuzzy(const input::MaterialEntry& reference, const std::vector<std::string>& locations,
                        const std::filesystem::path& directory = {});
 
 /// How many samples of the ratings make the interval of the score, and where the random numbers begin.

@@ -122,7 +122,7 @@ FuzzySystem comfort_system(const std::vector<std::string>& locations) {
   return system;
 }
 
-FuzzySystem load_fuzzy(const input::MaterialReference& reference, const std::vector<std::string>& locations,
+FuzzySystem load_fuzzy(const input::MaterialEntry& reference, const std::vector<std::string>& locations,
                        const std::filesystem::path& directory) {
   const std::string& name = reference.name;
   if (name.empty() && !reference.is_inline()) return comfort_system(locations);

@@ -149,7 +149,7 @@ SensationCurves read_file(const fs::path& file) {
   });
 }
 
-SensationCurves read_inline(const input::MaterialReference& reference, const fs::path& directory) {
+SensationCurves read_inline(const input::MaterialEntry& reference, const fs::path& directory) {
   return read_set(reference.table, reference.where.file, [&](const std::string& name, input::Diagnostics& errors) {
     return input::read_csv(directory / name, errors);
   });
@@ -162,7 +162,7 @@ std::string names_of(const std::vector<SensationCurves>& sets, bool curves) {
   return input::joined(names);
 }
 
-input::InputError lacks(const input::MaterialReference& reference, const std::string& found, bool curves) {
+input::InputError lacks(const input::MaterialEntry& reference, const std::string& found, bool curves) {
   const std::string files = curves ? "a TOML or CSV file" : "a TOML file";
   return {reference.where, found,
           fmt::format("there are {}, or write the path of {}", names_of(shipped_curves(), curves), files)};
@@ -184,7 +184,7 @@ std::vector<SensationCurves> shipped_curves() {
   return sets;
 }
 
-SensationCurves find_curves(const input::MaterialReference& reference, const fs::path& directory) {
+SensationCurves find_curves(const input::MaterialEntry& reference, const fs::path& directory) {
   if (reference.is_inline()) return read_inline(reference, directory);
   std::vector<SensationCurves> sets = shipped_curves();
   for (SensationCurves& set : sets)
@@ -197,13 +197,13 @@ SensationCurves find_curves(const input::MaterialReference& reference, const fs:
                           fmt::format("there are {}, or write the path of a TOML or CSV file", input::joined(names)));
 }
 
-SensationCurves load_curves(const input::MaterialReference& reference, const fs::path& directory) {
+SensationCurves load_curves(const input::MaterialEntry& reference, const fs::path& directory) {
   SensationCurves set = find_curves(reference, directory);
   if (set.curves.empty()) throw lacks(reference, fmt::format("\"{}\" has no sensation curves", set.name), true);
   return set;
 }
 
-SensationCurves load_bands(const input::MaterialReference& reference, const fs::path& directory) {
+SensationCurves load_bands(const input::MaterialEntry& reference, const fs::path& directory) {
   SensationCurves set = find_curves(reference, directory);
   if (set.bands.empty()) throw lacks(reference, fmt::format("\"{}\" has no pressure bands", set.name), false);
   return set;

@@ -16,10 +16,10 @@ bool is_fuzzy_file(const std::string& file) {
 }
 
 void convert_fuzzy(const std::string& from, const std::string& to) {
-  input::MaterialReference reference;
-  reference.name = from;
-  reference.where.file = "snug convert";
-  const postproc::FuzzySystem system = postproc::load_fuzzy(reference, {});
+  input::MaterialEntry asked;
+  asked.name = from;
+  asked.where.file = "snug convert";
+  const postproc::FuzzySystem system = postproc::load_fuzzy(asked, {});
   try {
     postproc::write_fuzzy(system, to);
   } catch (const std::invalid_argument& fault) {

@@ -1,10 +1,10 @@
-// snug explain KEY and snug list: the generated reference.
+// snug explain KEY and snug list: the list of keys, made of their descriptions.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "cases/input/reference.hpp"
+#include "cases/input/key_list.hpp"
 #include "cases/input/suggestion.hpp"
 #include "solver/app/comfort_pages.hpp"
 #include "solver/app/command.hpp"
@@ -15,9 +15,9 @@ namespace snug::app {
 
 namespace {
 
-std::vector<input::ReferenceRow> whole_reference() {
-  std::vector<input::ReferenceRow> rows = input::case_reference();
-  for (input::ReferenceRow& row : law_reference()) rows.push_back(std::move(row));
+std::vector<input::KeyRow> all_keys() {
+  std::vector<input::KeyRow> rows = input::case_keys();
+  for (input::KeyRow& row : law_keys()) rows.push_back(std::move(row));
   return rows;
 }
 
@@ -62,7 +62,7 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 }
 
 /// One row of a list: the key, its meaning and what may be written.
-std::string row_text(const input::ReferenceRow& row) {
+std::string row_text(const input::KeyRow& row) {
   std::string facts = row.kind + (row.field.unit.empty() ? "" : ", " + row.field.unit);
   if (row.field.required) facts += ", required";
   if (!row.field.choices.empty()) facts += ": " + input::joined(row.field.choices);
@@ -86,7 +86,7 @@ class Explain : public Command {
     std::string text = law_page_text(key_) + curves_page(key_), keys;
     std::vector<std::string> known = law_names();
     if (!text.empty() && key_.starts_with("law.")) key_.erase(0, 4);
-    for (const input::ReferenceRow& row : whole_reference()) {
+    for (const input::KeyRow& row : all_keys()) {
       known.push_back(last_part(row.key));
       if (matches(row.key, key_)) text += explanation(row);
       if (inside(row.key, key_)) keys += row_text(row);
@@ -105,9 +105,9 @@ class Explain : public Command {
   std::string key_;
 };
 
-void print_rows(const std::string& head, const std::vector<input::ReferenceRow>& rows) {
+void print_rows(const std::string& head, const std::vector<input::KeyRow>& rows) {
   fmt::print("{}\n", head);
-  for (const input::ReferenceRow& row : rows) fmt::print("{}", row_text(row));
+  for (const input::KeyRow& row : rows) fmt::print("{}", row_text(row));
 }
 
 class List : public Command {
@@ -124,9 +124,9 @@ class List : public Command {
       fmt::print("{}", curves_text());
       return done;
     }
-    print_rows("keys of case.toml", input::case_reference());
+    print_rows("keys of case.toml", input::case_keys());
     fmt::print("\nlaws of solids (snug explain law.NAME)\n  {}\n", input::joined(law_names()));
-    print_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_reference());
+    print_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_keys());
     fmt::print("\nshipped materials\n{}", materials_text());
     fmt::print("\nsensation curves and thresholds (snug explain \"NAME\"), or a TOML or CSV file of the case\n{}",
                curves_text());

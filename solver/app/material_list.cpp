@@ -19,13 +19,13 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }
 
 std::string entry_text(const std::string& name, const char* shipped, const std::string& what) {
-  input::MaterialReference reference;
-  reference.name = name;
-  const materials::Entry entry = materials::find_entry(reference, input::table_of(shipped, {what, 1, 1}), what);
+  input::MaterialEntry asked;
+  asked.name = name;
+  const materials::Entry entry = materials::find_entry(asked, input::table_of(shipped, {what, 1, 1}), what);
   return fmt::format("# {} \"{}\"\n{}", what, name, input::to_toml(entry.table));
 }
 
-void append(std::vector<input::ReferenceRow>& rows, std::vector<input::ReferenceRow> more) {
+void append(std::vector<input::KeyRow>& rows, std::vector<input::KeyRow> more) {
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
@@ -45,13 +45,13 @@ std::string material_text(const std::string& name) {
                           input::did_you_mean(name, fabrics));
 }
 
-std::vector<input::ReferenceRow> law_reference() {
-  std::vector<input::ReferenceRow> rows;
+std::vector<input::KeyRow> law_keys() {
+  std::vector<input::KeyRow> rows;
   materials::for_each_law_input(
-      [&]<class Input>() { append(rows, input::reference_of<Input>(Input::page().name + ".")); });
-  append(rows, input::reference_of<materials::LinearFabric>("linear."));
-  append(rows, input::reference_of<materials::CubicFabric>("cubic."));
-  append(rows, input::reference_of<materials::KesFabric>("kes."));
+      [&]<class Input>() { append(rows, input::keys_of<Input>(Input::page().name + ".")); });
+  append(rows, input::keys_of<materials::LinearFabric>("linear."));
+  append(rows, input::keys_of<materials::CubicFabric>("cubic."));
+  append(rows, input::keys_of<materials::KesFabric>("kes."));
   return rows;
 }
 

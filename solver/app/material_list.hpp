@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/input/reference.hpp"
+#include "cases/input/key_list.hpp"
 
 namespace snug::app {
 
@@ -15,7 +15,7 @@ std::string materials_text();
 std::string material_text(const std::string& name);
 
 /// Inputs of the laws that an inline table may name; keys such as "neo-Hooke.shear_modulus".
-std::vector<input::ReferenceRow> law_reference();
+std::vector<input::KeyRow> law_keys();
 
 /// Names of the laws of solids.
 std::vector<std::string> law_names();

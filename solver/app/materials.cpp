@@ -41,10 +41,10 @@ void print_curve(const std::string& name, const Curve& curve) {
   if (loading != Loading::shear && !(curve.from > 0.0 && curve.to > 0.0))
     throw wrong(fmt::format("a stretch from {} to {}", curve.from, curve.to),
                 "stretches are greater than 0; 1 is the rest");
-  input::MaterialReference reference;
-  reference.name = name;
-  reference.where = {"snug materials curve", 0, 0};
-  const materials::Tissue tissue = materials::find_tissue(reference);
+  input::MaterialEntry asked;
+  asked.name = name;
+  asked.where = {"snug materials curve", 0, 0};
+  const materials::Tissue tissue = materials::find_tissue(asked);
   fmt::print("{},nominal stress [Pa],Cauchy stress [Pa],J,lateral stretch\n",
              loading == Loading::shear ? "shear" : "stretch");
   for (int i = 0; i <= curve.steps; ++i) {

@@ -35,9 +35,9 @@ std::vector<fs::path> input_files(const input::Case& description) {
     if (reference->nodes) files.push_back(*reference->nodes);
   }
   if (!description.comfort) return files;
-  std::vector<input::MaterialReference> comfort = description.comfort->thresholds;
+  std::vector<input::MaterialEntry> comfort = description.comfort->thresholds;
   comfort.insert(comfort.begin(), {description.comfort->curves, description.comfort->fuzzy});
-  for (const input::MaterialReference& reference : comfort)
+  for (const input::MaterialEntry& reference : comfort)
     if (const fs::path file = description.directory / reference.name;
         !reference.name.empty() && fs::is_regular_file(file))
       files.push_back(file);

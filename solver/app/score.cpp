@@ -91,10 +91,10 @@ class Score : public Command {
       return done;
     }
     const auto named = [](const std::string& name, const char* option) {
-      input::MaterialReference reference;
-      reference.name = name;
-      reference.where.file = option;
-      return reference;
+      input::MaterialEntry asked;
+      asked.name = name;
+      asked.where.file = option;
+      return asked;
     };
     spec_.curves = named(curves_, "--curves");
     spec_.fuzzy = named(fuzzy_, "--fuzzy");

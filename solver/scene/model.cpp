@@ -130,7 +130,7 @@ Model make_model(const input::Case& description, const mesh::BodyMesh& body) {
 }
 
 std::string echo_text(const Model& model) {
-  return input::echo_text(model.asked, [](const input::Field& field, const input::MaterialReference& reference) -> std::optional<input::Table> {
+  return input::echo_text(model.asked, [](const input::Field& field, const input::MaterialEntry& reference) -> std::optional<input::Table> {
     if (field.key == "fabric") return materials::written_out_fabric(reference);
     if (field.key == "material" && reference.name != "rigid") return materials::written_out_tissue(reference);
     return std::nullopt;

@@ -151,7 +151,7 @@ constexpr double long_stride = 0.2;  // of a Newton step
 Check check(const Scene& scene, const State& state, const NewtonSettings& settings) {
   Check c;
   c.measure = scene.measure(state);
-  const double force = std::max(c.measure.contact_force, c.measure.smallest_force), pressure = c.measure.reference_pressure;
+  const double force = std::max(c.measure.contact_force, c.measure.smallest_force), pressure = c.measure.pressure_scale;
   const double residual = scene.force_residual();
   c.residual = force > 0.0 ? residual / force : (residual != 0.0 ? 1.0 : 0.0);  // NaN stays an error: it is not 0
   c.condensed = force > 0.0 ? scene.condensed_residual() / force : c.residual;

@@ -35,7 +35,7 @@ std::function<std::string(const Standing&)> sliding(const Model& model, const Me
 std::function<std::vector<Attempt>(const Trail&)> release(const Model& model, bool every_step) {
   return [&model, every_step](const Trail& trail) {
     const Standing& rigid = trail.back();
-    const double give = softest_shear_modulus(model) / rigid.scene->measure(rigid.state).reference_pressure;
+    const double give = softest_shear_modulus(model) / rigid.scene->measure(rigid.state).pressure_scale;
     std::vector<Attempt> attempts;
     if (give > 1.0 && !every_step) attempts.push_back({.rows = "body", .change = releasing(1.0), .failures = 0});
     attempts.push_back({.rows = "body, step by step", .change = releasing(std::max(10.0, 1.0 / (gentle_release * give))),

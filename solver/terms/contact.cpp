@@ -109,7 +109,7 @@ void Contact::measure(const State& state, Measure& measure) const {
     }
   }
   measure.changed += now.active.changed();
-  if (measure.active > 0) measure.reference_pressure = std::max(measure.reference_pressure, sum / measure.active);
+  if (measure.active > 0) measure.pressure_scale = std::max(measure.pressure_scale, sum / measure.active);
   for (const PointForce& force : point_forces(state)) measure.contact_force += force.force.norm();
 }
 

@@ -139,7 +139,7 @@ void PressureLoad::measure(const State& state, Measure& measure) const {
     for (const auto& [shape, weight] : points_)
       measure.contact_force += weight * std::abs(state.load * pressure_) * facet_point(x, shape).area;
   }
-  measure.reference_pressure = std::max(measure.reference_pressure, std::abs(pressure_));
+  measure.pressure_scale = std::max(measure.pressure_scale, std::abs(pressure_));
 }
 
 }  // namespace snug::solver

@@ -30,7 +30,7 @@ struct Measure {
   double smallest_force = 0.0;     ///< N, what the residual is measured against where nothing touches
   double complementarity = 0.0;    ///< Pa
   double penetration = 0.0;        ///< m
-  double reference_pressure = 0.0; ///< Pa, mean over active nodes
+  double pressure_scale = 0.0; ///< Pa, mean over active nodes
   double volume_error = 0.0;       ///< relative volume that a pressure of the body misses
   int active = 0, changed = 0;     ///< contact nodes; changed in the last update
 };

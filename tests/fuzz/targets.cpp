@@ -107,7 +107,7 @@ std::vector<Target> text_targets() {
   const auto curve_file = [put](const fs::path& file, const std::string& text) {
     const fs::path toml_file = file.string() + ".toml";
     put(toml_file, text);
-    input::MaterialReference reference;
+    input::MaterialEntry reference;
     reference.name = toml_file.filename().string();
     const postproc::SensationCurves set = postproc::find_curves(reference, toml_file.parent_path());
     for (const postproc::SensationCurve& curve : set.curves) postproc::rate(curve, 1e3);

@@ -167,7 +167,7 @@ TEST(ComfortBook, TheMidpointsOfTheProgramConvergeToTheCentroid) {
 
 TEST(ComfortBook, RatingsOfTable55) {
   // All 64 ratings of the eight significant locations come back within 0.005, the rounding of the print.
-  input::MaterialReference reference;
+  input::MaterialEntry reference;
   reference.name = "wear trial 2002";
   const auto curves = postproc::load_curves(reference);
   input::Diagnostics diagnostics;

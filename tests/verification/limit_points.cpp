@@ -15,7 +15,7 @@ struct Truss {
 
   explicit Truss(double force) {
     mesh.kind = CellKind::tet10;
-    input::MaterialReference& law = mesh.layers.emplace_back(mesh::Layer{"strip", {}}).material;
+    input::MaterialEntry& law = mesh.layers.emplace_back(mesh::Layer{"strip", {}}).material;
     law.table = input::table_of(fmt::format("law = 'linear-elastic'\nyoungs_modulus = '{} Pa'\npoisson_ratio = 0", youngs));
     const int cells = 8;
     const auto node = [](int i, int j) { return 3 * i + j; };

@@ -63,7 +63,7 @@ struct Fixed {
 };
 
 inline materials::SolidLaw tissue(double shear, double poisson) {
-  input::MaterialReference reference;
+  input::MaterialEntry reference;
   reference.table = input::table_of(fmt::format("law = 'neo-Hooke'\nshear_modulus = '{} Pa'\npoisson_ratio = {}", shear, poisson));
   return materials::find_tissue(reference).law;
 }

@@ -59,7 +59,7 @@ Inflated inflate(const RubberDisc& disc, const materials::SkinMembrane& law, dou
 }
 
 materials::SkinMembrane rubber(const std::string& table, double thickness) {
-  input::MaterialReference reference;
+  input::MaterialEntry reference;
   reference.table = input::table_of(table + "\npoisson_ratio = 0.49");  // which an incompressible membrane does not use
   return {materials::find_membrane_tissue(reference).law, thickness};
 }

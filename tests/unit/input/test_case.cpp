@@ -11,7 +11,7 @@
 #include "cases/input/case.hpp"
 #include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
-#include "cases/input/reference.hpp"
+#include "cases/input/key_list.hpp"
 
 namespace snug::input {
 namespace {
@@ -276,10 +276,10 @@ TEST(ShippedCases, AnglesArriveInRadian) {
   EXPECT_NEAR(c.body->locations[0].from_angle, std::numbers::pi / 4, 1e-12);
 }
 
-TEST(Reference, KnowsEveryKeyOnce) {
+TEST(KeyList, KnowsEveryKeyOnce) {
   // The generated reference lists every key with a meaning, nested ones with their sections.
   std::set<std::string> keys;
-  for (const ReferenceRow& row : case_reference()) {
+  for (const KeyRow& row : case_keys()) {
     EXPECT_TRUE(keys.insert(row.key).second) << row.key;
     EXPECT_FALSE(row.field.meaning.empty()) << row.key;
   }

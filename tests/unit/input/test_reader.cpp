@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "cases/input/echo.hpp"
-#include "cases/input/material_reference.hpp"
+#include "cases/input/material_entry.hpp"
 #include "cases/input/reader.hpp"
-#include "cases/input/reference.hpp"
+#include "cases/input/key_list.hpp"
 
 namespace snug::input {
 namespace {
@@ -17,7 +17,7 @@ struct Part {
   int cells = 2;
   std::string form = "solid";
   std::optional<double> modulus;
-  MaterialReference material;
+  MaterialEntry material;
   Location where;
 
   template <class Self, class Visitor>
@@ -176,7 +176,7 @@ TEST(Reader, AChoiceIsReadAsItsEnumerator) {
   EXPECT_EQ(yarn.fibre, Fibre::raw_silk);
   EXPECT_EQ(yarn.plied, (std::vector{Fibre::wool, Fibre::raw_silk}));
   EXPECT_EQ(to_toml(to_table(yarn)), "fibre = \"raw silk\"\nplied = [\"wool\", \"raw silk\"]\n");
-  const std::vector<ReferenceRow> rows = reference_of<Yarn>();
+  const std::vector<KeyRow> rows = keys_of<Yarn>();
   EXPECT_EQ(rows.front().kind, "choice");
   EXPECT_EQ(rows.front().default_value, "\"wool\"");
   EXPECT_EQ(rows.front().field.choices, (std::vector<std::string>{"wool", "raw silk"}));

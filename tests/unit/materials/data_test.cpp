@@ -11,11 +11,11 @@
 namespace snug::testing {
 namespace {
 
-using input::InputError, input::MaterialReference;
+using input::InputError, input::MaterialEntry;
 using materials::Fabric, materials::find_fabric, materials::find_tissue, materials::NeoHooke;
 
-MaterialReference named(const std::string& name) { return {.name = name, .table = {}, .where = {"case.toml", 7, 12}}; }
-MaterialReference inline_table(const std::string& text) {
+MaterialEntry named(const std::string& name) { return {.name = name, .table = {}, .where = {"case.toml", 7, 12}}; }
+MaterialEntry inline_table(const std::string& text) {
   const input::Location where{"case.toml", 7, 12};
   return {.name = {}, .table = input::table_of(text, where), .where = where};
 }

@@ -20,7 +20,7 @@ std::filesystem::path written(const std::string& name, const std::string& text) 
 }
 
 SensationCurves found(const std::filesystem::path& file) {
-  input::MaterialReference reference;
+  input::MaterialEntry reference;
   reference.name = file.filename().string();
   return find_curves(reference, file.parent_path());
 }
@@ -141,7 +141,7 @@ TEST(CurveFit, WrongFilesAreErrors) {
 
 TEST(Bands, PressuresGetTheirNames) {
   // Inside, below, between and above the classes of a location; other locations are not spoken of.
-  input::MaterialReference reference;
+  input::MaterialEntry reference;
   reference.name = "RAL-GZ 387";
   const SensationCurves classes = load_bands(reference);
   const auto at = [&](double mmHg) { return verdict(classes, "ankle", mmHg * 133.322387415); };

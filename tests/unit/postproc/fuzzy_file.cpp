@@ -18,7 +18,7 @@ const std::vector<std::string> nine = {"Chest",       "Front waist", "Front thig
                                        "Side pelvis", "Side thigh",  "Back waist",  "Back thigh"};
 
 FuzzySystem shipped(const std::string& name) {
-  input::MaterialReference reference;
+  input::MaterialEntry reference;
   reference.name = name;
   return load_fuzzy(reference, {});
 }

@@ -1,4 +1,4 @@
-// The reference of every input, generated from the same descriptions that read it.
+// The list of every key of the input, generated from the same descriptions that read it.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace snug::input {
 
-/// One input as a reader of the reference sees it.
-struct ReferenceRow {
+/// One input as a reader of the list sees it.
+struct KeyRow {
   std::string key;   ///< with its sections: "body.layers[].thickness"
   std::string kind;  ///< "text", "quantity", "number", "whole number", "file", "material", "section", "list of ..."
   Field field;
@@ -23,15 +23,15 @@ struct ReferenceRow {
 };
 
 /// Visitor over one `describe`: collects the rows, sections included.
-class Reference {
+class KeyList {
  public:
-  explicit Reference(std::string prefix) : prefix_(std::move(prefix)) {}
+  explicit KeyList(std::string prefix) : prefix_(std::move(prefix)) {}
 
   template <class Member>
   void operator()(const Field& field, const Member& member) {
     add(field, prefix_ + field.key, member, "");
   }
-  std::vector<ReferenceRow> rows() && { return std::move(rows_); }
+  std::vector<KeyRow> rows() && { return std::move(rows_); }
 
  private:
   void add(const Field& field, const std::string& key, double member, const std::string& list);
@@ -39,7 +39,7 @@ class Reference {
   void add(const Field& field, const std::string& key, bool member, const std::string& list);
   void add(const Field& field, const std::string& key, const std::string& member, const std::string& list);
   void add(const Field& field, const std::string& key, const std::filesystem::path& member, const std::string& list);
-  void add(const Field& field, const std::string& key, const MaterialReference& member, const std::string& list);
+  void add(const Field& field, const std::string& key, const MaterialEntry& member, const std::string& list);
   void push(const Field& field, const std::string& key, const std::string& kind, std::string default_value);
 
   template <class T>
@@ -70,28 +70,28 @@ class Reference {
   template <class T>
   void add(const Field& field, const std::string& key, const T& member, const std::string& list) {
     push(field, key, list + "section", "");
-    Reference inner(key + ".");
+    KeyList inner(key + ".");
     T::describe(member, inner);
-    for (ReferenceRow& row : std::move(inner).rows()) rows_.push_back(std::move(row));
+    for (KeyRow& row : std::move(inner).rows()) rows_.push_back(std::move(row));
   }
 
   std::string prefix_;
-  std::vector<ReferenceRow> rows_;
+  std::vector<KeyRow> rows_;
 };
 
 /// Rows of one described type; `prefix` ("neo-Hooke.") stands before its keys.
 template <class T>
-std::vector<ReferenceRow> reference_of(const std::string& prefix = {}) {
-  Reference reference(prefix);
+std::vector<KeyRow> keys_of(const std::string& prefix = {}) {
+  KeyList keys(prefix);
   const T defaults{};
-  T::describe(defaults, reference);
-  return std::move(reference).rows();
+  T::describe(defaults, keys);
+  return std::move(keys).rows();
 }
 
 /// Everything that case.toml can hold.
-std::vector<ReferenceRow> case_reference();
+std::vector<KeyRow> case_keys();
 
 /// A few lines that explain one input.
-std::string explanation(const ReferenceRow& row);
+std::string explanation(const KeyRow& row);
 
 }  // namespace snug::input

@@ -9,7 +9,7 @@ namespace snug::input {
 
 /// A material or fabric that a case names: an entry of the shipped data, or a table of its own values.
 /// The law's own `describe` reads `table` later, in its room; every value of it keeps its place.
-struct MaterialReference {
+struct MaterialEntry {
   std::string name;     ///< database entry, e.g. "N85L15", "relaxed calf", "rigid"
   Table table = {};     ///< inline values; empty when `name` is used
   Location where = {};  ///< of the name or of the table

@@ -1,4 +1,4 @@
-#include "cases/input/reference.hpp"
+#include "cases/input/key_list.hpp"
 
 #include <fmt/format.h>
 
@@ -27,38 +27,38 @@ void line(std::string& text, const char* head, const std::string& content) {
 
 }  // namespace
 
-void Reference::push(const Field& field, const std::string& key, const std::string& kind, std::string default_value) {
+void KeyList::push(const Field& field, const std::string& key, const std::string& kind, std::string default_value) {
   rows_.push_back({key, kind, field, field.required ? "" : std::move(default_value)});
 }
 
-void Reference::add(const Field& field, const std::string& key, double member, const std::string& list) {
+void KeyList::add(const Field& field, const std::string& key, double member, const std::string& list) {
   if (field.unit.empty()) return push(field, key, list + "number", fmt::format("{}", member));
   push(field, key, list + "quantity", fmt::format("\"{} {}\"", member, field.unit));
 }
 
-void Reference::add(const Field& field, const std::string& key, int member, const std::string& list) {
+void KeyList::add(const Field& field, const std::string& key, int member, const std::string& list) {
   push(field, key, list + "whole number", fmt::format("{}", member));
 }
 
-void Reference::add(const Field& field, const std::string& key, bool member, const std::string& list) {
+void KeyList::add(const Field& field, const std::string& key, bool member, const std::string& list) {
   push(field, key, list + "true or false", member ? "true" : "false");
 }
 
-void Reference::add(const Field& field, const std::string& key, const std::string& member, const std::string& list) {
+void KeyList::add(const Field& field, const std::string& key, const std::string& member, const std::string& list) {
   push(field, key, list + (field.choices.empty() ? "text" : "choice"), member.empty() ? "" : "\"" + member + "\"");
 }
 
-void Reference::add(const Field& field, const std::string& key, const std::filesystem::path&, const std::string& list) {
+void KeyList::add(const Field& field, const std::string& key, const std::filesystem::path&, const std::string& list) {
   push(field, key, list + "file of the case directory", "");
 }
 
-void Reference::add(const Field& field, const std::string& key, const MaterialReference&, const std::string& list) {
+void KeyList::add(const Field& field, const std::string& key, const MaterialEntry&, const std::string& list) {
   push(field, key, list + "name or table", "");
 }
 
-std::vector<ReferenceRow> case_reference() { return reference_of<Case>(); }
+std::vector<KeyRow> case_keys() { return keys_of<Case>(); }
 
-std::string explanation(const ReferenceRow& row) {
+std::string explanation(const KeyRow& row) {
   std::string text = row.key + "\n";
   line(text, "meaning", row.field.meaning);
   line(text, "kind", row.kind + (row.field.required ? ", required" : ""));
