@@ -14,7 +14,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 # <snug/snug.hpp> and the headers that it reaches, with their paths, below include/snug. That folder is in the path of the
 # compiler, too, since the headers include each other from there.
 configure_file(solver/library/snug.hpp.in ${PROJECT_BINARY_DIR}/include/snug/snug.hpp @ONLY)
-set(rooms snug_input snug_mesh snug_materials snug_postproc snug_solver)
+set(rooms snug_input snug_fem snug_mesh snug_materials snug_postproc snug_solver)
 foreach(room IN LISTS rooms)
   target_include_directories(${room} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
   if(SNUG_EIGEN_ALIGNMENT GREATER 16)  # libgmsh must not find this Eigen in a program of others, either
