@@ -17,6 +17,8 @@ bool started() {
 
 }  // namespace
 
+void return_petsc_errors() { PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr); }
+
 int rank() {
   int rank = 0;
   if (started()) MPI_Comm_rank(MPI_COMM_WORLD, &rank);

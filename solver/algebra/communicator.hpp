@@ -9,6 +9,9 @@
 
 namespace snug::solver {
 
+/// PETSc's failures come back as values and print nothing: a failed factorisation is an event for the recovery.
+void return_petsc_errors();
+
 int rank();
 int ranks();
 

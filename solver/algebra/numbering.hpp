@@ -3,19 +3,16 @@
 
 #include <Eigen/Core>
 
-#include <map>
 #include <utility>
 #include <vector>
 
+#include "solver/fem/constraints.hpp"
+
 namespace snug::solver {
 
-/// A part of what a bound entry follows.
-struct Follow {
-  int entry = 0;
-  double weight = 0.0;
-};
+using fem::Follow;
 /// Entries that are bound to others: their step is the weighted sum of those others' steps, which have unknowns or none.
-using Bound = std::map<int, std::vector<Follow>>;
+using Bound = fem::Lines;
 
 /// Prescribed entries have no unknown; sewn entries share one; bound entries have none of their own. Each rank owns a
 /// contiguous range of unknowns.
@@ -24,8 +21,7 @@ class Numbering {
   Numbering() = default;
   /// `master[i]` is the entry that entry i follows (itself when free), or -1 when it is prescribed
   /// or bound.
-  /// The constraints are those of a deal.II AffineConstraints (see scene/constraints). `owner[i]` is the rank of entry
-  /// i (that of its master counts); without owners all unknowns are those of rank 0.
+  /// `bound` is resolved (see scene/constraint_table). `owner[i]` is the rank of entry i (that of its master counts); without owners all unknowns are those of rank 0.
   explicit Numbering(std::vector<int> master, const std::vector<int>& owner = {}, int ranks = 1, Bound bound = {});
 
   int unknown(int entry) const { return unknown_[entry]; }   ///< -1: prescribed or bound

@@ -1,6 +1,5 @@
 #include "solver/scene/constraint_table.hpp"
 
-#include <deal.II/lac/affine_constraints.h>
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -89,23 +88,19 @@ Eigen::VectorXd ConstraintTable::gap(const Eigen::VectorXd& values, double load)
 }
 
 Numbering ConstraintTable::numbering(const std::vector<int>& owner, int ranks) const {
-  dealii::AffineConstraints<double> closed;
-  for (const auto& [entry, row] : rows_) {
-    closed.add_line(entry);
-    for (const Follow& other : row.follows) closed.add_entry(entry, other.entry, other.weight);
-  }
-  closed.close();
+  fem::Lines lines;
+  for (const auto& [entry, row] : rows_) lines[entry] = row.follows;
+  lines = fem::closed(lines);
   std::vector<int> master(entries_);
   Bound bound;
   for (int i = 0; i < entries_; ++i) {
     master[i] = i;
     const auto row = rows_.find(i);
     if (row == rows_.end()) continue;
-    const auto& line = *closed.get_constraint_entries(i);
-    const bool tied = row->second.tied && line.size() == 1 && line.front().second == 1.0;
-    master[i] = tied ? static_cast<int>(line.front().first) : -1;
-    if (!tied)
-      for (const auto& [entry, weight] : line) bound[i].push_back({static_cast<int>(entry), weight});
+    const auto& line = lines.at(i);
+    const bool tied = row->second.tied && line.size() == 1 && line.front().weight == 1.0;
+    master[i] = tied ? line.front().entry : -1;
+    if (!tied && !line.empty()) bound[i] = line;
   }
   return Numbering(std::move(master), owner, ranks, std::move(bound));
 }

@@ -1,13 +1,10 @@
 #include "solver/scene/partition.hpp"
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparsity_pattern.h>
-#include <deal.II/lac/sparsity_tools.h>
-
 #include <algorithm>
 #include <limits>
 #include <map>
 
+#include "solver/fem/partition.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/terms/contact_slave.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
@@ -16,22 +13,11 @@ namespace snug::solver {
 
 namespace {
 
-// Elements that share a node are neighbours; METIS cuts as few of the pairs as it can.
 template <class Elements>
-std::vector<int> share_out(const Elements& elements, int nodes, int ranks) {
-  std::vector<std::vector<int>> at(nodes);
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    for (const int node : elements[e]) at[node].push_back(static_cast<int>(e));
-  if (elements.empty()) return {};
-  dealii::DynamicSparsityPattern pairs(elements.size(), elements.size());
-  for (const auto& around : at)
-    for (const int e : around)
-      for (const int f : around) pairs.add(e, f);
-  dealii::SparsityPattern pattern;
-  pattern.copy_from(pairs);
-  std::vector<unsigned int> part(elements.size());
-  dealii::SparsityTools::partition(pattern, ranks, part, dealii::SparsityTools::Partitioner::metis);
-  return {part.begin(), part.end()};
+std::vector<int> share_out(const Elements& elements, int ranks) {
+  std::vector<std::vector<int>> nodes;
+  for (const auto& element : elements) nodes.emplace_back(element.begin(), std::find(element.begin(), element.end(), -1));
+  return fem::partition(nodes, ranks);
 }
 
 // The rank of a cell at the facet.
@@ -70,7 +56,8 @@ std::vector<std::array<int, 6>> sewn(const mesh::GarmentMesh& garment) {
 template <class Elements>
 void lowest(const Elements& elements, const std::vector<int>& rank, std::vector<int>& owner) {
   for (std::size_t e = 0; e < elements.size(); ++e)
-    for (const int node : elements[e]) owner[node] = std::min(owner[node], rank[e]);
+    for (const int node : elements[e])
+      if (node >= 0) owner[node] = std::min(owner[node], rank[e]);
 }
 
 std::vector<int> body_owners(const mesh::BodyMesh& body, const std::vector<int>& cell_rank, int nodes, int ranks) {
@@ -78,7 +65,7 @@ std::vector<int> body_owners(const mesh::BodyMesh& body, const std::vector<int>&
   if (!body.shell.empty()) {
     std::vector<std::array<int, 6>> shell(body.shell.size());
     for (std::size_t t = 0; t < shell.size(); ++t) std::copy_n(body.shell[t].nodes.begin(), 6, shell[t].begin());
-    lowest(shell, share_out(shell, nodes, ranks), owner);
+    lowest(shell, share_out(shell, ranks), owner);
   }
   lowest(body.cells, cell_rank, owner);
   return owner;
@@ -97,7 +84,7 @@ std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const La
   const Field& position = layout["body"];
   std::vector<int> cell_rank, of_body;
   if (position.count > 0) {
-    cell_rank = share_out(meshes.body.cells, position.count, ranks);
+    cell_rank = share_out(meshes.body.cells, ranks);
     of_body = body_owners(meshes.body, cell_rank, position.count, ranks);
     std::vector<int> of_pressure(layout["body pressure"].count, ranks - 1);
     lowest(pressure_unknowns(meshes.body).of_cell, cell_rank, of_pressure);
@@ -108,7 +95,7 @@ std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const La
     const auto triangles = sewn(garment);
     const int nodes = static_cast<int>(garment.pattern.size());
     const std::vector<int> rank = position.count > 0 ? triangle_ranks_by_facet(meshes.body, garment, facet_ranks(meshes.body, cell_rank))
-                                                     : share_out(triangles, nodes, ranks);
+                                                     : share_out(triangles, ranks);
     lowest(triangles, rank, of_garment.emplace_back(nodes, ranks - 1));
     put(layout[garment.name], of_garment.back(), owner);
   }

@@ -1,6 +1,4 @@
-#include <deal.II/base/mpi.h>
 #include <dlfcn.h>
-#include <petscsys.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -9,6 +7,7 @@
 #include <thread>
 
 #include "solver/algebra/communicator.hpp"
+#include "solver/fem/session.hpp"
 #include "solver/scene/run.hpp"
 
 namespace snug::solver {
@@ -54,12 +53,12 @@ void share_cores_of_blas(int ranks) {
 }  // namespace
 
 struct Session::Runtime {
-  Runtime(int& argc, char**& argv) : mpi(argc, argv, dealii::numbers::invalid_unsigned_int) {
-    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);  // a failed factorisation is an event for the recovery
+  Runtime(int& argc, char**& argv) : mpi(argc, argv) {
+    return_petsc_errors();
     share_cores_of_blas(ranks());
   }
   Alone alone;  // before MPI starts, after it ends
-  dealii::Utilities::MPI::MPI_InitFinalize mpi;
+  fem::Session mpi;
 };
 
 Session::Session(int& argc, char**& argv) : runtime_(std::make_unique<Runtime>(argc, argv)) {}

@@ -1,7 +1,5 @@
 #include "solver/terms/master_surface.hpp"
 
-#include <deal.II/numerics/rtree.h>
-
 #include <algorithm>
 #include <map>
 
@@ -19,27 +17,19 @@ constexpr double hysteresis = 0.2;
 
 }  // namespace
 
-struct MasterSurface::Tree {
-  using Box = dealii::BoundingBox<3>;
-  dealii::RTree<std::pair<Box, int>> boxes;
-};
-
 MasterSurface::MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> list)
     : positions_(positions), kind_(facet_kind(mesh.kind)), domain_(&facet_domain(kind_)), facets_(std::move(list)),
-      reference_(mesh.nodes), mean_edge_(mesh::mean_edge(mesh, facets_)) {
+      reference_(mesh.nodes), mean_edge_(mesh::mean_edge(mesh, facets_)), tree_(boxes()) {
   connect();
-  std::vector<std::pair<Tree::Box, int>> boxes;
-  for (int f = 0; f < facets(); ++f) {
-    std::vector<dealii::Point<3>> points;
-    for (const int node : facets_[f])
-      if (node >= 0) points.emplace_back(reference_[node].x(), reference_[node].y(), reference_[node].z());
-    boxes.emplace_back(Tree::Box(points), f);
-  }
-  tree_ = std::make_unique<Tree>(Tree{dealii::pack_rtree(boxes)});
 }
 
-MasterSurface::~MasterSurface() = default;
-MasterSurface::MasterSurface(MasterSurface&&) noexcept = default;
+std::vector<Eigen::AlignedBox3d> MasterSurface::boxes() const {
+  std::vector<Eigen::AlignedBox3d> boxes(facets_.size());
+  for (std::size_t f = 0; f < facets_.size(); ++f)
+    for (const int node : facets_[f])
+      if (node >= 0) boxes[f].extend(reference_[node]);
+  return boxes;
+}
 
 void MasterSurface::connect() {
   std::map<std::pair<int, int>, std::pair<int, int>> open;  // corner pair -> facet, edge
@@ -97,12 +87,9 @@ Site MasterSurface::follow(const State& state, const Eigen::Vector3d& x, const S
 }
 
 Site MasterSurface::find(const State& state, const Eigen::Vector3d& x) const {
-  namespace bgi = boost::geometry::index;
-  std::vector<std::pair<Tree::Box, int>> near;
-  tree_->boxes.query(bgi::nearest(dealii::Point<3>(x.x(), x.y(), x.z()), 6), std::back_inserter(near));
   Site best;
   double distance = std::numeric_limits<double>::max();
-  for (const auto& [box, facet] : near) {
+  for (const int facet : tree_.nearest(x, 6)) {
     Site site{facet, domain_->centre};
     if (!settle(state, x, 0.0, site)) continue;
     const double d = (x - positions(state, site.facet) * facet_shape(kind_, site.xi).N).norm();

@@ -4,11 +4,11 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
 #include "solver/algebra/state.hpp"
+#include "solver/fem/box_tree.hpp"
 #include "solver/terms/facet_kind.hpp"
 
 namespace snug::solver {
@@ -23,8 +23,6 @@ class MasterSurface {
  public:
   /// Facets of a body. With a field of positions nodes move with the state; with an empty one they stand where the mesh has them.
   MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> facets);
-  ~MasterSurface();
-  MasterSurface(MasterSurface&&) noexcept;
 
   bool deformable() const { return positions_.count > 0; }
   int facets() const { return static_cast<int>(facets_.size()); }
@@ -47,10 +45,10 @@ class MasterSurface {
   Site follow(const State& state, const Eigen::Vector3d& x, const Site& last) const;
 
  private:
-  struct Tree;
   /// Walks from `site` to the facet that x projects into; the first facet may be left by `stay` without leaving it.
   bool settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const;
   void connect();
+  std::vector<Eigen::AlignedBox3d> boxes() const;
 
   Field positions_;
   mesh::FacetKind kind_;
@@ -59,7 +57,7 @@ class MasterSurface {
   std::vector<std::vector<int>> neighbours_;
   std::vector<Eigen::Vector3d> reference_;
   double mean_edge_;
-  std::unique_ptr<Tree> tree_;
+  fem::BoxTree tree_;
 };
 
 }  // namespace snug::solver
