@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "solver/fem/plane_shape.hpp"
 
 namespace snug::postproc {
 namespace {
@@ -16,6 +17,7 @@ using Facets = std::vector<std::array<int, 9>>;
 using Points = std::vector<Eigen::Vector3d>;
 using Basis = std::array<double, 3>;
 
+/// Products of hats, in tensor order.
 std::array<double, 9> tensor(const Basis& a, const Basis& b) {
   std::array<double, 9> values;
   for (int j = 0; j < 3; ++j)
@@ -23,21 +25,15 @@ std::array<double, 9> tensor(const Basis& a, const Basis& b) {
   return values;
 }
 
-Basis quadratic(double x) { return {x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2}; }
-Basis quadratic_slope(double x) { return {x - 0.5, -2 * x, x + 0.5}; }
 /// Linear hats on the nodes -1, 0, 1.
 Basis hat(double x) { return {std::max(0.0, -x), 1 - std::abs(x), std::max(0.0, x)}; }
 
 /// Area of the facet per unit of d(xi) d(eta).
 double area_density(const std::array<int, 9>& facet, const Points& positions, double xi, double eta) {
-  const auto along_xi = tensor(quadratic_slope(xi), quadratic(eta));
-  const auto along_eta = tensor(quadratic(xi), quadratic_slope(eta));
-  Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();
-  for (int n = 0; n < 9; ++n) {
-    a += along_xi[n] * positions.at(facet[n]);
-    b += along_eta[n] * positions.at(facet[n]);
-  }
-  return a.cross(b).norm();
+  const auto slopes = fem::plane_shape<fem::Element::quad9>({xi, eta}).dN;
+  Eigen::Matrix<double, 3, 2> tangents = Eigen::Matrix<double, 3, 2>::Zero();
+  for (int n = 0; n < 9; ++n) tangents += positions.at(facet[n]) * slopes.row(n);
+  return tangents.col(0).cross(tangents.col(1)).norm();
 }
 
 /// What a sample gives to the nodes of its facet: `shape` carries force and pressure, `hat` >= 0 the cover.
@@ -47,6 +43,14 @@ struct Shares {
 };
 
 Shares both(int nodes, const std::array<double, 9>& values) { return {nodes, values, values}; }
+
+template <fem::Element element>
+std::array<double, 9> shape_values(double xi, double eta) {
+  const auto N = fem::plane_values<element>({xi, eta});
+  std::array<double, 9> values{};
+  std::copy(N.begin(), N.end(), values.begin());
+  return values;
+}
 
 /// Hats on the triangle cut into four between its nodes: the quadratic functions of its corners have no mass to lump.
 Shares on_triangle(double xi, double eta) {
@@ -64,10 +68,9 @@ Shares on_triangle(double xi, double eta) {
 }
 
 Shares shares(const std::array<int, 9>& facet, double xi, double eta) {
-  if (facet[8] >= 0) return {9, biquadratic(xi, eta), tensor(hat(xi), hat(eta))};
+  if (facet[8] >= 0) return {9, shape_values<fem::Element::quad9>(xi, eta), tensor(hat(xi), hat(eta))};
   if (facet[4] >= 0) return on_triangle(xi, eta);
-  const double a = 0.25 * (1 - xi), b = 0.25 * (1 + xi);
-  return both(4, {a * (1 - eta), b * (1 - eta), a * (1 + eta), b * (1 + eta)});
+  return both(4, shape_values<fem::Element::quad4>(xi, eta));
 }
 
 /// Sums over the samples: what the transfer needs of them.
@@ -159,13 +162,12 @@ void add_triangle_areas(const std::array<int, 9>& facet, const Points& positions
 
 }  // namespace
 
-std::array<double, 9> biquadratic(double xi, double eta) { return tensor(quadratic(xi), quadratic(eta)); }
-
 std::vector<double> nodal_areas(const Facets& facets, std::size_t nodes, const Points& positions) {
   // The hats have kinks at 0: two Gauss points on either side, in each direction.
-  const double inner = 0.5 - 0.5 / std::sqrt(3.0), outer = 0.5 + 0.5 / std::sqrt(3.0);
-  const std::array<double, 4> points = {-outer, -inner, inner, outer};
-  const double weight = 0.25;
+  static const fem::Rule rule = fem::quadrature(fem::Domain::line, 3);
+  const std::array<double, 4> points = {-0.5 + 0.5 * rule.points(0, 0), -0.5 + 0.5 * rule.points(0, 1),
+                                        0.5 + 0.5 * rule.points(0, 0), 0.5 + 0.5 * rule.points(0, 1)};
+  const double weight = std::pow(0.5 * rule.weights[0], 2);  // both alike
   std::vector<double> areas(nodes, 0.0);
   for (const auto& facet : facets) {
     if (facet[8] < 0) {

@@ -21,9 +21,6 @@ struct SkinPressure {
                                  ///< samples without a facet, uncovered nodes, clipped negative pressures
 };
 
-/// Biquadratic shape functions of a skin facet at (xi, eta) in [-1, 1]^2, tensor order: N of node (i, j) at 3 j + i.
-std::array<double, 9> biquadratic(double xi, double eta);
-
 /// Area of each node's part of the skin, m2: integral of the bilinear hat on the 3 x 3 nodes of each facet. The hats
 /// are positive and sum to one, unlike the biquadratic functions, whose negative lobes make a poor measure of area.
 /// Facets of 4 or 6 nodes (-1 past them) share the area of the triangles between their nodes.

@@ -111,7 +111,7 @@ void check_cells(const BodyMesh& mesh, const Limb& limb, const input::Location& 
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const CellPositions x = cell_positions(mesh.kind, mesh.cells[c], mesh.nodes);
     for (const SamplePoint& sample : check_points(mesh.kind)) {
-      if (jacobian(mesh.kind, x, sample.reference).determinant() > 0.0) continue;
+      if (jacobian(x, sample).determinant() > 0.0) continue;
       const Eigen::Vector3d middle = x.rowwise().mean();
       const Eigen::Vector2d from = middle.head<2>() - section_centre(*limb.skin, middle.z());
       throw input::InputError(
@@ -215,7 +215,7 @@ std::vector<QualityRow> quality(const BodyMesh& mesh) {
     const CellPositions x = cell_positions(mesh.kind, mesh.cells[c], mesh.nodes);
     ++row.cells;
     for (const SamplePoint& sample : check_points(mesh.kind)) {
-      const Eigen::Matrix3d J = jacobian(mesh.kind, x, sample.reference);
+      const Eigen::Matrix3d J = jacobian(x, sample);
       const Eigen::Vector3d edges = J.colwise().norm();
       const double scaled = ideal * J.determinant() / edges.prod();
       row.min_scaled_jacobian = std::min(row.min_scaled_jacobian, scaled);

@@ -143,7 +143,7 @@ class Conversion {
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
       const CellPositions x = cell_positions(mesh_.kind, mesh_.cells[c], mesh_.nodes);
       for (const SamplePoint& sample : check_points(mesh_.kind))
-        if (!(jacobian(mesh_.kind, x, sample.reference).determinant() > 0.0))
+        if (!(jacobian(x, sample).determinant() > 0.0))
           throw InputError({file_, model_.line_of(cell_number_[c]), 1}, fmt::format("element {} is inverted or flat", cell_number_[c]),
                            "correct the order of its nodes or move them");
     }

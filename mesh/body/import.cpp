@@ -160,7 +160,7 @@ class Import {
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
       const CellPositions x = cell_positions(mesh_.kind, mesh_.cells[c], mesh_.nodes);
       for (const SamplePoint& sample : check_points(mesh_.kind)) {
-        if (jacobian(mesh_.kind, x, sample.reference).determinant() > 0.0) continue;
+        if (jacobian(x, sample).determinant() > 0.0) continue;
         const Eigen::Vector3d at = 1e3 * x.rowwise().mean();
         throw InputError(spec_.where,
                          fmt::format("cell {} of layer \"{}\" near ({:.2f}, {:.2f}, {:.2f}) mm is inverted or flat",

@@ -11,10 +11,9 @@ BodyStrain body_strain(const mesh::BodyMesh& body, const std::vector<Eigen::Vect
   for (const mesh::CellNodes& cell : body.cells) {
     const mesh::CellPositions rest = mesh::cell_positions(body.kind, cell, body.nodes), moved = mesh::cell_positions(body.kind, cell, now);
     for (const mesh::SamplePoint& point : mesh::gauss_points(body.kind)) {
-      const mesh::ShapeGradients gradients = mesh::shape_gradients(body.kind, point.reference);
-      const Eigen::Matrix3d F = moved * gradients * Eigen::Matrix3d(rest * gradients).inverse();
+      const Eigen::Matrix3d F = mesh::jacobian(moved, point) * mesh::jacobian(rest, point).inverse();
       const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> stretch(F.transpose() * F, Eigen::EigenvaluesOnly);
-      const auto place = [&] { return Eigen::Vector3d(rest * mesh::shape_values(body.kind, point.reference)); };
+      const auto place = [&] { return Eigen::Vector3d(rest * point.values); };
       if (const double l = std::sqrt(stretch.eigenvalues()[2]); l > strain.largest_stretch) strain.largest_stretch = l, strain.stretched_at = place();
       if (const double J = F.determinant(); J < strain.smallest_volume_ratio) strain.smallest_volume_ratio = J, strain.squeezed_at = place();
     }

@@ -228,9 +228,8 @@ void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunR
     FacetNodes moved = FacetNodes::Zero();
     for (int a = 0; a < node_count(kind); ++a) moved.col(a) = result.body.displacement[facet[a]];
     for (const FacetRulePoint& q : facet_rule(kind)) {
-      const FacetShape shape = facet_shape(kind, q.xi);
-      const FacetPoint point = facet_point(rest, shape);
-      sum += q.weight * point.area * (moved * shape.N).dot(point.n);
+      const FacetPoint point = facet_point(rest, q.shape);
+      sum += q.weight * point.area * (moved * q.shape.N).dot(point.n);
       weight += q.weight * point.area;
     }
     largest = std::max(largest, moved.colwise().norm().maxCoeff());

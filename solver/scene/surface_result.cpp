@@ -14,7 +14,7 @@ SurfacePressures surface_pressures(const Contact& contact, const Field& position
   for (const auto& facet : slave_facets)
     for (const FacetRulePoint& q : facet_rule(mesh::FacetKind::tri6)) {
       const FacetNodes x = facet_positions(state, position, facet);
-      const double part = q.weight * facet_point(x, facet_shape(mesh::FacetKind::tri6, q.xi)).area;
+      const double part = q.weight * facet_point(x, q.shape).area;
       const Eigen::Vector3d L(1.0 - q.xi.sum(), q.xi[0], q.xi[1]);
       for (int v = 0; v < 3; ++v) now[contact.multiplier_of(facet[v])] += part * L[v];
     }

@@ -9,8 +9,8 @@ namespace snug::solver {
 namespace {
 
 double area_element(const TriangleNodes& x, const Eigen::Vector3d& L) {
-  const Eigen::Matrix3d d = x * p2_derivatives(L);
-  return 0.5 * Eigen::Vector3d(d.col(1) - d.col(0)).cross(Eigen::Vector3d(d.col(2) - d.col(0))).norm();
+  const Eigen::Matrix<double, 3, 2> tangents = x * garment_slopes(2, L);
+  return 0.5 * tangents.col(0).cross(tangents.col(1)).norm();
 }
 
 // Numbers the vertices of the last triangle, which are these nodes of the mesh.

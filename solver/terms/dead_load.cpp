@@ -14,9 +14,8 @@ void add_traction(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeN
   for (const auto& facet : facets) {
     const FacetNodes x = facet_positions(mesh, facet);
     for (const FacetRulePoint& q : facet_rule(kind)) {
-      const FacetShape shape = facet_shape(kind, q.xi);
-      const double dA = q.weight * facet_point(x, shape).area;
-      for (int a = 0; a < node_count(kind); ++a) forces[facet[a]] += dA * shape.N[a] * traction;
+      const double dA = q.weight * facet_point(x, q.shape).area;
+      for (int a = 0; a < node_count(kind); ++a) forces[facet[a]] += dA * q.shape.N[a] * traction;
     }
   }
 }
@@ -27,9 +26,8 @@ void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, 
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const Eigen::VectorXd weight = tabulate(mesh, static_cast<int>(c)).weight;
     for (std::size_t q = 0; q < rule.size(); ++q) {
-      const auto N = mesh::shape_values(mesh.kind, rule[q].reference);
       for (int a = 0; a < node_count(mesh.kind); ++a)
-        forces[mesh.cells[c][a]] += weight[q] * density[mesh.cell_layer[c]] * N[a] * gravity;
+        forces[mesh.cells[c][a]] += weight[q] * density[mesh.cell_layer[c]] * rule[q].values[a] * gravity;
     }
   }
 }
@@ -51,7 +49,7 @@ double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers
   double sum = 0.0;
   for (const auto& facet : facets)
     for (const FacetRulePoint& q : facet_rule(kind))
-      sum += q.weight * facet_point(facet_positions(mesh, facet), facet_shape(kind, q.xi)).area;
+      sum += q.weight * facet_point(facet_positions(mesh, facet), q.shape).area;
   return sum;
 }
 

@@ -3,17 +3,14 @@
 
 #include <Eigen/Core>
 
+#include "solver/fem/plane_shape.hpp"
+
 namespace snug::solver {
 
 using FacetNodes = Eigen::Matrix<double, 3, 9>;  ///< positions in tensor order, m
 
-/// Shape functions and their derivatives at (xi, eta) in [-1, 1]^2.
-struct FacetShape {
-  Eigen::Matrix<double, 9, 1> N;
-  Eigen::Matrix<double, 9, 2> dN;   ///< d/dxi, d/deta
-  Eigen::Matrix<double, 9, 3> ddN;  ///< d2/dxi2, d2/deta2, d2/dxi deta
-};
-FacetShape facet_shape(const Eigen::Vector2d& xi);
+/// Shape functions and their derivatives at a point, in the nine slots.
+using FacetShape = fem::PlaneShape<9>;
 
 /// Differential geometry at a point: y_a tangents, n outward unit normal, m metric, k_ab = n . y_ab.
 struct FacetPoint {

@@ -26,10 +26,7 @@ std::optional<Eigen::Vector3d> over(const TriangleNodes& triangle, int order, co
   Eigen::Vector3d L = Eigen::Vector3d::Constant(1.0 / 3.0);
   for (int iteration = 0; iteration < 20; ++iteration) {
     const Eigen::Vector2d r = tangential * (triangle * garment_values(order, L) - y);
-    const Eigen::Matrix3d dx = triangle * garment_derivatives(order, L);
-    Eigen::Matrix<double, 3, 2> slope;
-    slope << dx.col(1) - dx.col(0), dx.col(2) - dx.col(0);
-    const Eigen::Matrix2d A = tangential * slope;
+    const Eigen::Matrix2d A = tangential * (triangle * garment_slopes(order, L));
     if (!(A.determinant() > 0.0)) return {};  // the triangle is folded or turned over there
     const Eigen::Vector2d step = -A.inverse() * r;
     const double longest = step.cwiseAbs().maxCoeff(), factor = longest > 2.0 ? 2.0 / longest : 1.0;

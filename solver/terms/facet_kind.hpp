@@ -14,10 +14,11 @@ namespace snug::solver {
 /// Shape functions at (xi, eta): in [-1, 1]^2 for quadrilaterals; xi, eta >= 0, xi + eta <= 1 for triangles.
 FacetShape facet_shape(mesh::FacetKind kind, const Eigen::Vector2d& xi);
 
-/// Gauss points: 3 x 3, 2 x 2 (weights add up to 4) and Radon's 7 of degree 5 (weights add up to 1/2).
+/// Gauss points: 3 x 3, 2 x 2 (weights add up to 4) and the 7 of degree 5 (weights add up to 1/2).
 struct FacetRulePoint {
   Eigen::Vector2d xi;
   double weight = 0.0;
+  FacetShape shape;
 };
 const std::vector<FacetRulePoint>& facet_rule(mesh::FacetKind kind);
 

@@ -1,17 +1,11 @@
 #include "solver/terms/garment_shape.hpp"
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <Eigen/Dense>
 
 namespace snug::solver {
 
-Eigen::Matrix<double, 3, 2> area_coordinate_derivatives() {
-  return (Eigen::Matrix<double, 3, 2>() << -1, -1, 1, 0, 0, 1).finished();
-}
-
 PatternPoint pattern_point(int order, const Eigen::Matrix<double, 2, 6>& nodes, const Eigen::Vector3d& L) {
-  const Eigen::Matrix<double, 6, 2> dN = garment_derivatives(order, L) * area_coordinate_derivatives();
+  const Eigen::Matrix<double, 6, 2> dN = garment_slopes(order, L);
   const Eigen::Matrix2d tangents = nodes * dN;
   return {dN * tangents.inverse(), 0.5 * tangents.determinant()};
 }
@@ -29,11 +23,11 @@ FlatTriangle flat_triangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, c
 
 const std::vector<TrianglePoint>& triangle_rule() {
   static const std::vector<TrianglePoint> rule = [] {
-    const dealii::QGaussSimplex<2> gauss(3);
+    const fem::Rule gauss = fem::quadrature(fem::Domain::triangle, 5);
     std::vector<TrianglePoint> points;
-    for (unsigned int q = 0; q < gauss.size(); ++q) {
-      const auto& p = gauss.point(q);
-      points.push_back({{1.0 - p[0] - p[1], p[0], p[1]}, 2.0 * gauss.weight(q)});
+    for (Eigen::Index q = 0; q < gauss.weights.size(); ++q) {
+      const Eigen::Vector2d p = gauss.points.col(q);
+      points.push_back({{1.0 - p[0] - p[1], p[0], p[1]}, 2.0 * gauss.weights[q]});
     }
     return points;
   }();

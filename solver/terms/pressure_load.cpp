@@ -26,7 +26,7 @@ PressureLoad::PressureLoad(const Field& body, const mesh::BodyMesh& mesh, std::s
                            const std::vector<mesh::FacetNodeNumbers>& facets, double pressure)
     : name_(std::move(name)), pressure_(pressure) {
   const mesh::FacetKind kind = facet_kind(mesh.kind);
-  for (const FacetRulePoint& q : facet_rule(kind)) points_.push_back({facet_shape(kind, q.xi), q.weight});
+  for (const FacetRulePoint& q : facet_rule(kind)) points_.push_back({q.shape, q.weight});
   for (const auto& facet : facets) {
     const std::array<int, 27> slots = facet_entries(body, facet);
     entries_.push(std::span(slots).first(3 * node_count(kind)));
@@ -42,7 +42,7 @@ PressureLoad::PressureLoad(const Field& garment, const mesh::GarmentMesh& mesh, 
     FacetShape shape;
     shape.N.setZero(), shape.dN.setZero(), shape.ddN.setZero();
     shape.N.head<6>() = garment_values(mesh.order, q.L);
-    shape.dN.topRows<6>() = garment_derivatives(mesh.order, q.L) * area_coordinate_derivatives();
+    shape.dN.topRows<6>() = garment_slopes(mesh.order, q.L);
     points_.push_back({shape, 0.5 * q.weight});
   }
   for (const auto& triangle : mesh.triangles) {

@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-#include "solver/terms/facet_kind.hpp"
+#include "solver/fem/plane_shape.hpp"
 #include "solver/terms/parallel.hpp"
 
 namespace snug::solver {
@@ -71,7 +71,7 @@ void Shell::add_triangle(const mesh::ShellTriangle& given, const ShellElasticity
   for (const BendingRulePoint& q : bending_rule()) {
     Point point;
     point.place = triangle_place(q.xi);
-    point.N = facet_shape(mesh::FacetKind::tri6, q.xi).N.head<6>();
+    point.N = fem::plane_values<fem::Element::tri6>(q.xi);
     const ShellPoint p = shell_point(X, point.place);
     Eigen::Matrix<double, 3, 2> e;
     e.col(0) = p.tangent.col(0).normalized();

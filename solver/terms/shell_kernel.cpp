@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/terms/facet_kind.hpp"
+#include "solver/fem/plane_shape.hpp"
 
 namespace snug::solver {
 
 TrianglePlace triangle_place(const Eigen::Vector2d& xi) {
-  const FacetShape shape = facet_shape(mesh::FacetKind::tri6, xi);
-  return {shape.dN.topRows<6>(), shape.ddN.topRows<6>()};
+  const auto shape = fem::plane_shape<fem::Element::tri6>(xi);
+  return {shape.dN, shape.ddN};
 }
 
 ShellPoint shell_point(const TriangleNodes& x, const TrianglePlace& place) {
@@ -65,10 +65,13 @@ void add_bending_point(const ShellPoint& p, const Eigen::Vector3d& reference_b, 
 // a thin shell locks: its strain in bending, (curvature x edge)^2, cannot vanish at all of them. Measured on a strip of
 // t/L = 1e-3 in 40 cells that hangs by its own weight (reference book 2.3, q = 8): tip 1.5e-2 off with seven, 2.6e-3 with
 // three.
-const std::array<BendingRulePoint, 3>& bending_rule() {
-  static const std::array<BendingRulePoint, 3> rule = {{{{1.0 / 6.0, 1.0 / 6.0}, 1.0 / 6.0},
-                                                        {{2.0 / 3.0, 1.0 / 6.0}, 1.0 / 6.0},
-                                                        {{1.0 / 6.0, 2.0 / 3.0}, 1.0 / 6.0}}};
+const std::vector<BendingRulePoint>& bending_rule() {
+  static const std::vector<BendingRulePoint> rule = [] {
+    const fem::Rule three = fem::quadrature(fem::Domain::triangle, 2);
+    std::vector<BendingRulePoint> points;
+    for (Eigen::Index q = 0; q < three.weights.size(); ++q) points.push_back({three.points.col(q), three.weights[q]});
+    return points;
+  }();
   return rule;
 }
 
@@ -168,8 +171,10 @@ void add_edge_point(const std::vector<TriangleNodes>& x, const EdgePoint& point,
 
 namespace {
 
-constexpr std::array<std::array<double, 2>, 3> corner = {{{0, 0}, {1, 0}, {0, 1}}};
-constexpr std::array<double, 3> edge_weights = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+const fem::Rule& edge_rule() {
+  static const fem::Rule rule = fem::quadrature(fem::Domain::line, 5);
+  return rule;
+}
 
 /// Of the penalty: with 1 the energy of flat triangles is just positive for every jump (see edge_penalty).
 constexpr double safety = 1.5;
@@ -177,8 +182,8 @@ constexpr double safety = 1.5;
 }  // namespace
 
 Eigen::Vector2d triangle_node(int a) {
-  const auto at = [](int v) { return Eigen::Vector2d(corner[v][0], corner[v][1]); };
-  return a < 3 ? at(a) : Eigen::Vector2d(0.5 * (at(a - 3) + at((a - 2) % 3)));
+  static const fem::Points nodes = fem::reference_nodes(fem::Element::tri6);
+  return nodes.col(a);
 }
 
 void EdgeSides::add(int triangle, const std::array<int, 6>& triangle_nodes) {
@@ -193,11 +198,11 @@ void EdgeSides::add(int triangle, const std::array<int, 6>& triangle_nodes) {
 
 EdgePlace edge_place(int edge, int q, bool second) {
   const Eigen::Vector2d from = triangle_node(triangle_edges[edge][0]), to = triangle_node(triangle_edges[edge][1]);
-  const double s = (q - 1) * std::sqrt(0.6), r = 0.5 * (second ? 1.0 - s : 1.0 + s);
+  const double s = edge_rule().points(0, q), r = 0.5 * (second ? 1.0 - s : 1.0 + s);
   return {triangle_place(from + r * (to - from)), second ? Eigen::Vector2d(from - to) : Eigen::Vector2d(to - from)};
 }
 
-double edge_weight(int q) { return edge_weights[q]; }
+double edge_weight(int q) { return 0.5 * edge_rule().weights[q]; }
 
 // The quadratic triangle's curvature is constant. A third of a triangle's bending energy, D k^2 |K|/6, bears the jumps of
 // each of its edges: share D k |e| turn <= D k^2 |K|/6 + 3/2 share^2 D |e|^2/|K| turn^2, which p |e| turn^2/2 outweighs from

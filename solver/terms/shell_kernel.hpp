@@ -50,7 +50,7 @@ struct BendingRulePoint {
   Eigen::Vector2d xi;
   double weight = 0.0;
 };
-const std::array<BendingRulePoint, 3>& bending_rule();
+const std::vector<BendingRulePoint>& bending_rule();
 
 /// Plane stress stiffness per E/(1 - nu^2) along the coordinates, for strains (11, 22, 2 x 12): (1 - nu)/2
 /// (A^ac A^bd + A^ad A^bc) + nu A^ab A^cd.

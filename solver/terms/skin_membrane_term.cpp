@@ -13,14 +13,13 @@ SkinMembraneTerm::SkinMembraneTerm(const Field& positions, const mesh::BodyMesh&
     Element element{nodes, {}};
     const FacetNodes rest = facet_positions(mesh, nodes);
     for (const FacetRulePoint& q : facet_rule(kind)) {
-      const FacetShape shape = facet_shape(kind, q.xi);
-      const FacetPoint p = facet_point(rest, shape);
+      const FacetPoint p = facet_point(rest, q.shape);
       // Orthonormal frame e1 along the first tangent; grad N along e_i = dN (t . e)^-1.
       Eigen::Matrix<double, 3, 2> e;
       e.col(0) = p.tangent.col(0).normalized();
       e.col(1) = p.n.cross(e.col(0));
       const Eigen::Matrix2d T = e.transpose() * p.tangent;
-      element.points.push_back({(shape.dN * T.inverse()).transpose(), q.weight * p.area});
+      element.points.push_back({(q.shape.dN * T.inverse()).transpose(), q.weight * p.area});
     }
     entries_.push(facet_entries(positions, nodes));
     elements_.push_back(element);

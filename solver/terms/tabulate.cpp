@@ -14,11 +14,10 @@ CellTable tabulate(const mesh::BodyMesh& mesh, int cell) {
   const auto points = static_cast<Eigen::Index>(rule.size());
   CellTable table{Eigen::MatrixXd(x.cols(), 3 * points), Eigen::VectorXd(points), Eigen::Matrix3Xd(3, points)};
   for (Eigen::Index q = 0; q < points; ++q) {
-    const auto slopes = mesh::shape_gradients(mesh.kind, rule[q].reference);
-    const Eigen::Matrix3d jacobian = x * slopes;
-    table.gradient.middleCols<3>(3 * q) = slopes * jacobian.inverse();
+    const Eigen::Matrix3d jacobian = mesh::jacobian(x, rule[q]);
+    table.gradient.middleCols<3>(3 * q) = rule[q].gradients * jacobian.inverse();
     table.weight[q] = rule[q].weight * jacobian.determinant();
-    table.point.col(q) = x * mesh::shape_values(mesh.kind, rule[q].reference);
+    table.point.col(q) = x * rule[q].values;
   }
   return table;
 }
@@ -42,10 +41,7 @@ const Eigen::MatrixXd& points_to_nodes(CellKind kind) {
 }
 
 Eigen::Matrix4Xd vertex_shapes() {
-  const auto& rule = mesh::gauss_points(CellKind::tet10);
-  Eigen::Matrix4Xd L(4, rule.size());
-  for (std::size_t q = 0; q < rule.size(); ++q) L.col(q) << 1.0 - rule[q].reference.sum(), rule[q].reference;
-  return L;
+  return fem::tabulate(fem::Element::tet4, fem::quadrature(fem::Domain::tetrahedron, 5).points).values;
 }
 
 }  // namespace snug::solver

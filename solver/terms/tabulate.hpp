@@ -19,7 +19,7 @@ CellTable tabulate(const mesh::BodyMesh& mesh, int cell);
 /// the full extrapolation does, trilinear for the 27 points of hex27 and linear for the few of the others.
 const Eigen::MatrixXd& points_to_nodes(mesh::CellKind kind);
 
-/// Barycentric coordinates of the Gauss points of a tetrahedron, 4 x points: the shape functions of its P1 pressure.
+/// Shape functions of the P1 pressure of a tetrahedron at its Gauss points, 4 x points.
 Eigen::Matrix4Xd vertex_shapes();
 
 }  // namespace snug::solver

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "postproc/skin_pressure.hpp"
 #include "tests/unit/postproc/scene.hpp"
 
 namespace snug::postproc {
@@ -111,7 +110,7 @@ TEST(Grid, HexahedraHaveVtksNodeOrder) {
 }
 
 TEST(Grid, ARigidBodyIsItsSkinInVtksNodeOrder) {
-  // Without cells the facets are biquadratic quads that VTK evaluates as our shape functions do.
+  // Without cells the facets are quads that VTK evaluates as products of parabolas along xi and eta.
   BodyResult body = body_scene();
   body.cells.clear();
   body.cell_layer.clear();
@@ -123,9 +122,9 @@ TEST(Grid, ARigidBodyIsItsSkinInVtksNodeOrder) {
   EXPECT_EQ(grid->GetCellType(0), VTK_BIQUADRATIC_QUAD);
   EXPECT_EQ(grid->GetPointData()->GetArray("cauchy_stress"), nullptr);
   const double xi = 0.3, eta = -0.6;
-  const auto shape = biquadratic(xi, eta);
+  const auto parabolas = [](double x) { return std::array{x * (x - 1) / 2, 1 - x * x, x * (x + 1) / 2}; };
   Eigen::Vector3d expected = Eigen::Vector3d::Zero();
-  for (int n = 0; n < 9; ++n) expected += shape[n] * body.nodes[body.skin_facets[1][n]];
+  for (int n = 0; n < 9; ++n) expected += parabolas(xi)[n % 3] * parabolas(eta)[n / 3] * body.nodes[body.skin_facets[1][n]];
   EXPECT_NEAR((point_at(*grid->GetCell(1), (xi + 1) / 2, (eta + 1) / 2, 0) - expected).norm(), 0.0, 1e-12);
 }
 

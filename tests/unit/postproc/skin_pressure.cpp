@@ -66,16 +66,6 @@ double total_force(const std::vector<ContactSample>& samples) {
   return sum;
 }
 
-TEST(SkinPressure, BiquadraticFunctionsInterpolateTheNodesAndSumToOne) {
-  // Each function is one at its own node of the tensor order and zero at the others.
-  for (int n = 0; n < 9; ++n) {
-    const auto at_node = biquadratic(n % 3 - 1, n / 3 - 1);
-    for (int k = 0; k < 9; ++k) EXPECT_DOUBLE_EQ(at_node[k], k == n ? 1.0 : 0.0);
-  }
-  const auto inside = biquadratic(0.37, -0.81);
-  EXPECT_NEAR(std::accumulate(inside.begin(), inside.end(), 0.0), 1.0, 1e-15);
-}
-
 TEST(SkinPressure, NodalAreasSumToTheAreaOfTheDeformedSurface) {
   // A sheared and stretched flat patch has the area 2 * 3; corner, edge and centre shares are 1/16, 1/8 and 1/4 of a
   // facet.

@@ -28,12 +28,12 @@ TEST(Facet, TheClosestPointIsOrthogonalToTheCurvedFacet) {
   for (unsigned trial = 0; trial < 50; ++trial) {
     const Eigen::VectorXd r = random_vector(3, 1.0, trial);
     const Eigen::Vector2d there(0.8 * r[0], 0.8 * r[1]);
-    const auto at = solver::facet_point(nodes, solver::facet_shape(there));
+    const auto at = solver::facet_point(nodes, solver::facet_shape(mesh::FacetKind::quad9, there));
     const double gap = 0.004 * r[2];
     Eigen::Vector2d xi(0.0, 0.0);
     ASSERT_TRUE(solver::project(mesh::FacetKind::quad9, nodes, at.y + gap * at.n, 1.5, xi));
     EXPECT_LE((xi - there).norm(), 1e-12);
-    const auto found = solver::facet_point(nodes, solver::facet_shape(xi));
+    const auto found = solver::facet_point(nodes, solver::facet_shape(mesh::FacetKind::quad9, xi));
     const Eigen::Vector3d arm = at.y + gap * at.n - found.y;
     EXPECT_LE((found.tangent.transpose() * arm).norm(), 1e-14 * found.tangent.norm());
     EXPECT_NEAR(arm.dot(found.n), gap, 1e-14);
@@ -50,7 +50,7 @@ struct TubeSkin : testing::Test {
   solver::State state;
 
   Eigen::Vector3d above(const Site& site, double height) const {
-    const auto at = solver::facet_point(skin.positions(state, site.facet), solver::facet_shape(site.xi));
+    const auto at = solver::facet_point(skin.positions(state, site.facet), solver::facet_shape(mesh::FacetKind::quad9, site.xi));
     return at.y + height * at.n;
   }
   Site random_site(unsigned seed, double inside) const {
