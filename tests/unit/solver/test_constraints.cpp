@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "solver/scene/constraint_table.hpp"
+#include "solver/scene/constraints.hpp"
+#include "solver/scene/partition.hpp"
 #include "tests/verification/blocks.hpp"
 #include "tests/verification/tube.hpp"
 
@@ -118,6 +120,27 @@ TEST(ConstraintTable, MotionsGrowWithTheLoad) {
   for (int c = 0; c < 3; ++c) table.prescribe(c, lid, c, motion, {2.0, 0.0, 0.0}, 1);
   EXPECT_LE((table.gap(Eigen::Vector3d(2.0, 0.0, 0.0), 0.25) - Eigen::Vector3d(-1.0, 1.0, 0.1)).norm(), 1e-15);
   EXPECT_THAT(table.prescribed_entries(), ElementsAre(0, 1, 2));
+}
+
+// Ranks share out the entries of a body of any kind of cell about evenly, and a node's components stay together.
+TEST(Partition, SharesOutBodiesOfEveryKindOfCell) {
+  for (const CellKind kind : {CellKind::hex27, CellKind::hex8, CellKind::tet10}) {
+    Block block;
+    block.cells = {8, 2, 2}, block.kind = kind;
+    const BlockCase c(make_block(block), {neo_hooke(10.0, 0.3)});
+    const solver::Model model = solver::make_model(c.c, c.mesh);
+    const solver::Meshes meshes = meshes_of(c.mesh, {});
+    const solver::Layout layout = solver::make_layout(model, meshes, solver::Skin::deformable);
+    const std::vector<int> owner = solver::entry_owners(model, meshes, layout, 2);
+    ASSERT_EQ(static_cast<int>(owner.size()), layout.size());
+    const solver::Field& position = layout["body"];
+    int first = 0;
+    for (int node = 0; node < position.count; ++node) {
+      EXPECT_EQ(owner[position(node, 0)], owner[position(node, 2)]);
+      first += owner[position(node, 0)] == 0;
+    }
+    EXPECT_NEAR(static_cast<double>(first) / position.count, 0.5, 0.15) << to_string(kind);
+  }
 }
 
 }  // namespace
