@@ -53,7 +53,7 @@ NodalField rows_of(const NodalField& field, const std::vector<int>& indices) {
   if (!field.places.empty())
     for (const int n : indices) rows.places.push_back(field.places[n]);
   for (const NodalColumn& column : field.columns) {
-    NodalColumn& to = rows.columns.emplace_back(NodalColumn{column.label, {}});
+    NodalColumn& to = rows.columns.emplace_back(NodalColumn{column.label, {}, column.asked});
     for (const int n : indices) to.values.push_back(column.values[n]);
   }
   return rows;
@@ -98,7 +98,7 @@ NodalField interpolated(const NodalField& from, const std::vector<CellPlace>& pl
   NodalField at;
   at.nodes.resize(places.size());
   for (const NodalColumn& column : from.columns) {
-    NodalColumn& to = at.columns.emplace_back(NodalColumn{column.label, {}});
+    NodalColumn& to = at.columns.emplace_back(NodalColumn{column.label, {}, column.asked});
     for (const CellPlace& place : places) {
       double value = 0.0;
       for (std::size_t n = 0; n < place.nodes.size(); ++n) value += place.weights[n] * column.values[place.nodes[n]];
@@ -181,7 +181,8 @@ std::vector<std::string> columns_to_compare(const NodalField& result, const Noda
                                             const ComparisonOptions& options) {
   std::vector<std::string> labels = options.columns, lacking;
   if (labels.empty())
-    for (const NodalColumn& column : reference.columns) labels.push_back(column.label);
+    for (const NodalColumn& column : reference.columns)
+      if (!column.asked) labels.push_back(column.label);
   for (const NodalField* field : {&result, &reference})
     for (const std::string& label : labels)
       if (!field->find(label)) {
@@ -193,11 +194,18 @@ std::vector<std::string> columns_to_compare(const NodalField& result, const Noda
   return labels;
 }
 
-/// Largest magnitude of the reference in the columns of a quantity.
-double scale_of(const NodalField& reference, Quantity quantity) {
+/// "shear_traction" of "shear_traction X".
+std::string field_name(const std::string& label) { return label.substr(0, label.find(' ')); }
+
+/// Largest magnitude of the reference in the columns of the same quantity; of a field that is asked for by name, in its own.
+double scale_of(const NodalField& reference, const NodalColumn& of) {
   double scale = 0.0;
+  const auto alike = [&](const NodalColumn& column) {
+    if (of.asked || column.asked) return of.asked && column.asked && field_name(column.label) == field_name(of.label);
+    return quantity_of(column.label) == quantity_of(of.label);
+  };
   for (const NodalColumn& column : reference.columns)
-    if (quantity_of(column.label) == quantity)
+    if (alike(column))
       for (const double value : column.values)
         if (std::isfinite(value)) scale = std::max(scale, std::abs(value));
   return scale;
@@ -228,8 +236,9 @@ ColumnComparison compare_column(const Matched& matched, const std::string& label
         &reference = matched.reference.find(label)->values;
   ColumnComparison column;
   column.label = label;
-  column.unit = unit_of(quantity);
-  column.scale = scale_of(matched.reference, quantity);
+  const NodalColumn& compared = *matched.reference.find(label);
+  column.unit = compared.asked ? std::string(meaning_of(field_name(label)).unit) : unit_of(quantity);
+  column.scale = scale_of(matched.reference, compared);
   const Tolerance& tolerance = tolerance_of(options, quantity);
   column.tolerance = tolerance.relative * column.scale + tolerance.absolute;
   difference.assign(result.size(), no_value);

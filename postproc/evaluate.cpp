@@ -13,15 +13,15 @@
 namespace snug::postproc {
 namespace {
 
-std::vector<Eigen::Vector3d> deformed(const BodyResult& body) {
-  std::vector<Eigen::Vector3d> positions = body.nodes;
-  for (std::size_t n = 0; n < std::min(positions.size(), body.displacement.size()); ++n)
-    positions[n] += body.displacement[n];
-  return positions;
-}
-
 /// Entry n of a field that may be left out.
 double entry(const std::vector<double>& field, std::size_t n) { return n < field.size() ? field[n] : 0.0; }
+
+/// The values of a field; none where the result does not have it.
+const std::vector<double>& values_of(const Fields& fields, const FieldName<double>& name) {
+  static const std::vector<double> none;
+  const std::vector<double>* values = fields.find(name);
+  return values ? *values : none;
+}
 
 /// Mean over the cover and largest nodal value of a field of pressure.
 struct Pressures {
@@ -38,13 +38,15 @@ LocationRow summarise(const BodyResult& body, int location, const std::vector<do
   row.name = body.locations[location];
   Pressures all, inside;
   double largest = 0.0;  // beside hems
-  const std::vector<double>& beside = body.largest_inside.empty() ? body.contact_pressure : body.largest_inside;
+  const std::vector<double>&pressure = values_of(body.fields, field::contact_pressure), &coverage = values_of(body.fields, field::coverage),
+                           &hem = values_of(body.fields, field::hem);
+  const std::vector<double>& beside = body.fields.has(field::largest_inside) ? body.fields[field::largest_inside] : pressure;
   for (std::size_t n = 0; n < body.node_location.size(); ++n) {
     if (body.node_location[n] != location) continue;
-    const double area = areas[n] * entry(body.coverage, n);
+    const double area = areas[n] * entry(coverage, n);
     row.area += areas[n];
-    all.add(area, entry(body.contact_pressure, n));
-    if (entry(body.hem, n) == 0.0) inside.add(area, entry(body.contact_pressure, n));
+    all.add(area, entry(pressure, n));
+    if (entry(hem, n) == 0.0) inside.add(area, entry(pressure, n));
     if (area > 0.0) largest = std::max(largest, entry(beside, n));  // a facet over the garment's edge has nodes that bear nothing
   }
   if (row.area > 0) row.coverage = all.covered / row.area;
@@ -119,7 +121,8 @@ Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem:
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory) {
   const BodyResult& body = run.body;
-  const std::vector<double> areas = nodal_areas(body.skin_facets, body.nodes.size(), deformed(body));
+  const std::vector<double>* known = body.fields.find(field::skin_area);  // of the contact
+  const std::vector<double> areas = known ? *known : nodal_areas(body.skin_facets, body.nodes.size(), nodes_now(body));
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)
     evaluation.locations.push_back(summarise(body, static_cast<int>(location), areas));

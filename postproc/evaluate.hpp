@@ -18,7 +18,7 @@ struct LocationRow {
   double area = 0.0;             ///< m2, deformed skin of the location
   double coverage = 0.0;         ///< 0..1, covered share of that area
   double mean_pressure = 0.0;    ///< Pa, weighted by covered area, the strips beside the hems left out; 0 without cover
-  double max_pressure = 0.0;     ///< Pa, largest beside the hems (BodyResult::largest_inside)
+  double max_pressure = 0.0;     ///< Pa, largest beside the hems (field::largest_inside)
   std::string pressures_of = "cover";  ///< "cover beside hems" where strips are left out; "hem" where there is nothing but them
   std::optional<double> rating;  ///< [0, 4]; none without cover, comfort section or curve of that name
   std::string term;              ///< neutral ... extremely uncomfortable; empty without a rating

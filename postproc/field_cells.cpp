@@ -22,35 +22,36 @@
 
 namespace snug::postproc {
 
-struct FieldCells::Grid {
+struct FieldCells::Locator {
   vtkSmartPointer<vtkUnstructuredGrid> cells;
   vtkNew<vtkStaticCellLocator> locator;
   vtkNew<vtkGenericCell> cell;
 };
 
-FieldCells::FieldCells(std::unique_ptr<Grid> grid) : grid_(std::move(grid)) {
-  grid_->locator->SetDataSet(grid_->cells);
-  grid_->locator->BuildLocator();
+FieldCells::FieldCells(const Grid& grid) : locator_(std::make_unique<Locator>()) {
+  locator_->cells = cells_to_vtk(grid);
+  locator_->locator->SetDataSet(locator_->cells);
+  locator_->locator->BuildLocator();
 }
 
 FieldCells::~FieldCells() = default;
 
 CellPlace FieldCells::place_of(const Eigen::Vector3d& point) const {
-  vtkGenericCell& cell = *grid_->cell;
+  vtkGenericCell& cell = *locator_->cell;
   std::array<double, 3> x = {point.x(), point.y(), point.z()}, parametric, closest;
-  std::vector<double> weights(grid_->cells->GetMaxCellSize(), 0.0);
+  std::vector<double> weights(locator_->cells->GetMaxCellSize(), 0.0);
   int sub = 0;
   double distance2 = 0.0;
-  vtkIdType id = grid_->locator->FindCell(x.data(), 0.0, &cell, parametric.data(), weights.data());
+  vtkIdType id = locator_->locator->FindCell(x.data(), 0.0, &cell, parametric.data(), weights.data());
   if (id < 0) {  // beside the grid: the nearest place in it
-    grid_->locator->FindClosestPoint(x.data(), closest.data(), &cell, id, sub, distance2);
+    locator_->locator->FindClosestPoint(x.data(), closest.data(), &cell, id, sub, distance2);
     if (id < 0) return {};
-    grid_->cells->GetCell(id, &cell);
+    locator_->cells->GetCell(id, &cell);
     cell.EvaluatePosition(x.data(), closest.data(), sub, parametric.data(), distance2, weights.data());
     for (double& r : parametric) r = std::clamp(r, 0.0, 1.0);
     cell.EvaluateLocation(sub, parametric.data(), closest.data(), weights.data());
   } else {
-    grid_->cells->GetCell(id, &cell);
+    locator_->cells->GetCell(id, &cell);
   }
   CellPlace place;
   place.cell_size = std::sqrt(cell.GetLength2());
@@ -58,7 +59,7 @@ CellPlace FieldCells::place_of(const Eigen::Vector3d& point) const {
   for (int n = 0; n < cell.GetNumberOfPoints(); ++n) {
     place.nodes.push_back(static_cast<int>(cell.GetPointId(n)));
     place.weights.push_back(weights[n]);
-    at += weights[n] * Eigen::Vector3d(grid_->cells->GetPoint(cell.GetPointId(n)));
+    at += weights[n] * Eigen::Vector3d(locator_->cells->GetPoint(cell.GetPointId(n)));
   }
   place.gap = (at - point).norm();
   return place;
@@ -66,46 +67,63 @@ CellPlace FieldCells::place_of(const Eigen::Vector3d& point) const {
 
 namespace {
 
-void add_components(NodalField& field, vtkPointData& data, const char* name, const std::vector<const char*>& labels) {
-  vtkDataArray* array = data.GetArray(name);
-  if (!array || array->GetNumberOfComponents() != static_cast<int>(labels.size())) return;
-  for (std::size_t c = 0; c < labels.size(); ++c) {
-    NodalColumn& column = field.columns.emplace_back(NodalColumn{labels[c], {}});
-    for (vtkIdType n = 0; n < array->GetNumberOfTuples(); ++n)
-      column.values.push_back(array->GetComponent(n, static_cast<int>(c)));
+using Labels = std::vector<std::string>;
+
+std::string label_of(const NamedField& field, std::size_t component) {
+  return field.components.empty() ? field.name : field.name + " " + field.components[component];
+}
+
+void add_column(NodalField& to, const NamedField& field, std::size_t component, NodalColumn column) {
+  column.values.reserve(field.size());
+  for (std::size_t n = 0; n < field.size(); ++n) column.values.push_back(field.at(n, component));
+  to.columns.push_back(std::move(column));
+}
+
+template <class Value>
+void add_components(NodalField& to, const Grid& grid, const FieldName<Value>& name, const Labels& labels) {
+  const NamedField* field = grid.fields.find(std::string_view(name.name));
+  if (!field || field->place != Place::node || field->components.size() != labels.size()) return;
+  for (std::size_t c = 0; c < labels.size(); ++c) add_column(to, *field, c, {labels[c], {}});
+}
+
+void add_stresses(NodalField& to, const Grid& grid, std::optional<ShellSurface> surface) {
+  const bool shell = grid.fields.has(field::stress_top);
+  if (shell && !surface) {
+    add_components(to, grid, field::stress_top, {"SX TOP", "SY TOP", "SZ TOP", "SXY TOP", "SYZ TOP", "SXZ TOP"});
+    add_components(to, grid, field::stress_bottom, {"SX BOTTOM", "SY BOTTOM", "SZ BOTTOM", "SXY BOTTOM", "SYZ BOTTOM", "SXZ BOTTOM"});
+    return;
   }
+  const bool middle = !shell || surface == ShellSurface::middle;
+  add_components(to, grid, middle ? field::cauchy_stress : surface == ShellSurface::top ? field::stress_top : field::stress_bottom,
+                 {"SX", "SY", "SZ", "SXY", "SYZ", "SXZ"});
+}
+
+/// What is compared only where it is asked for.
+void add_others(NodalField& to, const Grid& grid) {
+  for (const NamedField& field : grid.fields)
+    if (field.place == Place::node && !std::holds_alternative<std::vector<int>>(field.values))
+      for (std::size_t c = 0; c < std::max<std::size_t>(1, field.components.size()); ++c)
+        add_column(to, field, c, {label_of(field, c), {}, true});
 }
 
 }  // namespace
 
-NodalField read_grid(const std::filesystem::path& vtu, std::optional<ShellSurface> surface) {
-  const input::Location where{vtu.string(), 0, 0};
-  auto grid = std::make_unique<FieldCells::Grid>();
-  grid->cells = read_vtu(vtu);
+NodalField nodal_field(const Grid& grid, const std::string& name, std::optional<ShellSurface> surface) {
   NodalField field;
-  field.name = vtu.string();
-  field.nodes.resize(grid->cells->GetNumberOfPoints());
+  field.name = name;
+  field.nodes.resize(grid.points.size());
   std::iota(field.nodes.begin(), field.nodes.end(), 1);
-  if (vtkDataArray* numbers = grid->cells->GetPointData()->GetArray("node_number"))
-    for (vtkIdType n = 0; n < numbers->GetNumberOfTuples(); ++n) field.nodes[n] = static_cast<int>(numbers->GetComponent(n, 0));
-  for (vtkIdType n = 0; n < grid->cells->GetNumberOfPoints(); ++n) field.places.emplace_back(grid->cells->GetPoint(n));
-  add_components(field, *grid->cells->GetPointData(), "displacement", {"UX", "UY", "UZ"});
-  vtkPointData& points = *grid->cells->GetPointData();
-  const bool shell = points.GetArray("stress_top") != nullptr;
-  if (shell && !surface) {
-    add_components(field, points, "stress_top", {"SX TOP", "SY TOP", "SZ TOP", "SXY TOP", "SYZ TOP", "SXZ TOP"});
-    add_components(field, points, "stress_bottom",
-                   {"SX BOTTOM", "SY BOTTOM", "SZ BOTTOM", "SXY BOTTOM", "SYZ BOTTOM", "SXZ BOTTOM"});
-  } else {
-    const bool middle = !shell || surface == ShellSurface::middle;
-    add_components(field, points, middle ? "cauchy_stress" : surface == ShellSurface::top ? "stress_top" : "stress_bottom",
-                   {"SX", "SY", "SZ", "SXY", "SYZ", "SXZ"});
-  }
+  if (const NamedField* numbers = grid.fields.find(std::string_view(field::node_number.name)))
+    for (std::size_t n = 0; n < field.nodes.size(); ++n) field.nodes[n] = static_cast<int>(numbers->at(n));
+  field.places = grid.points;
+  add_components(field, grid, field::displacement, {"UX", "UY", "UZ"});
+  add_stresses(field, grid, surface);
   if (field.columns.empty())
-    throw input::InputError(where, "its points have neither displacement nor cauchy_stress",
+    throw input::InputError({name, 0, 0}, "its points have neither displacement nor cauchy_stress",
                             "name the grid of a body, body_0000.vtu");
   set_invariants(field);
-  if (grid->cells->GetNumberOfCells() > 0) field.cells = std::make_shared<const FieldCells>(std::move(grid));
+  add_others(field, grid);
+  if (grid.cells() > 0) field.cells = std::make_shared<const FieldCells>(grid);
   return field;
 }
 
@@ -136,7 +154,7 @@ std::vector<CellPlace> nearest_nodes(const NodalField& from, const std::vector<E
 void write_columns(const NodalField& field, const std::filesystem::path& vtu) {
   vtkNew<vtkUnstructuredGrid> grid;
   if (field.cells) {
-    grid->CopyStructure(field.cells->grid().cells);
+    grid->CopyStructure(field.cells->locator().cells);
   } else {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "postproc/grid.hpp"
 #include "postproc/nodal_field.hpp"
 
 namespace snug::postproc {
@@ -23,22 +24,23 @@ struct CellPlace {
 
 class FieldCells {
  public:
-  struct Grid;
-  explicit FieldCells(std::unique_ptr<Grid> grid);
+  struct Locator;
+  explicit FieldCells(const Grid& grid);
   ~FieldCells();
 
   /// Where a point (m, undeformed) lies: VTK's cell locator and shape functions.
   CellPlace place_of(const Eigen::Vector3d& point) const;
-  const Grid& grid() const { return *grid_; }
+  const Locator& locator() const { return *locator_; }
 
  private:
-  std::unique_ptr<Grid> grid_;
+  std::unique_ptr<Locator> locator_;
 };
 
-/// A VTU file as snug writes it: UX UY UZ USUM of `displacement`, SX ... SXZ and S1 ... SEQV of `cauchy_stress`; node
-/// numbers are `node_number`, or count from 1. Of a shell the stresses of `surface`, or "SX TOP", "SX BOTTOM", ... of both.
-/// Throws input::InputError: no VTU, neither field.
-NodalField read_grid(const std::filesystem::path& vtu, std::optional<ShellSurface> surface = {});
+/// A grid as snug writes it: UX UY UZ USUM of `displacement`, SX ... SXZ and S1 ... SEQV of `cauchy_stress`; node
+/// numbers are `node_number`, or count from 1. Of a shell the stresses of `surface`, or "SX TOP", "SX BOTTOM", ... of both. Every other
+/// field at the points is there to be asked for by its name ("contact_pressure", "shear_traction X").
+/// Throws input::InputError where it has neither; `name` stands for it in messages.
+NodalField nodal_field(const Grid& grid, const std::string& name, std::optional<ShellSurface> surface = {});
 
 /// The place in `from` nearest to a point, for a field without cells: its nearest nodes, one a point.
 std::vector<CellPlace> nearest_nodes(const NodalField& from, const std::vector<Eigen::Vector3d>& points);

@@ -19,66 +19,70 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "cases/input/files.hpp"
-#include "postproc/stress.hpp"
 #include "postproc/vtu_file.hpp"
 
 namespace snug::postproc {
 namespace {
 
-using Names = std::initializer_list<const char*>;
+using Names = std::vector<std::string>;
 
-/// A field with one tuple an entry; `value(n, c)` is component c of entry n.
-template <class Value>
-void add_field(vtkFieldData& data, const char* name, std::size_t entries, Names components, Value value) {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  const int count = std::max<int>(1, static_cast<int>(components.size()));
+/// A field as an array of VTK.
+vtkSmartPointer<vtkDataArray> array_of(const NamedField& field) {
+  vtkSmartPointer<vtkDataArray> array;
+  if (std::holds_alternative<std::vector<int>>(field.values)) array = vtkSmartPointer<vtkIntArray>::New();
+  else array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(field.name.c_str());
+  const int count = std::max(1, static_cast<int>(field.components.size()));
   array->SetNumberOfComponents(count);
-  int c = 0;
-  for (const char* component : components) array->SetComponentName(c++, component);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(entries));
-  for (std::size_t n = 0; n < entries; ++n)
-    for (int k = 0; k < count; ++k) array->SetComponent(static_cast<vtkIdType>(n), k, value(n, k));
-  data.AddArray(array);
+  for (std::size_t c = 0; c < field.components.size(); ++c) array->SetComponentName(static_cast<vtkIdType>(c), field.components[c].c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(field.size()));
+  for (std::size_t n = 0; n < field.size(); ++n)
+    for (int c = 0; c < count; ++c) array->SetComponent(static_cast<vtkIdType>(n), c, field.at(n, c));
+  return array;
 }
 
-/// A scalar field; left out when the result does not have it.
-void add_scalars(vtkFieldData& data, const char* name, const std::vector<double>& values) {
-  if (!values.empty()) add_field(data, name, values.size(), {}, [&](std::size_t n, int) { return values[n]; });
+template <class Value>
+std::vector<Value> tuples(vtkDataArray& array) {
+  std::vector<Value> values(static_cast<std::size_t>(array.GetNumberOfTuples()));
+  for (std::size_t n = 0; n < values.size(); ++n)
+    for (int c = 0; c < array.GetNumberOfComponents(); ++c) {
+      const double value = array.GetComponent(static_cast<vtkIdType>(n), c);
+      if constexpr (std::is_arithmetic_v<Value>) values[n] = static_cast<Value>(value);
+      else values[n][c] = value;
+    }
+  return values;
 }
 
-void add_vectors(vtkFieldData& data, const char* name, const std::vector<Eigen::Vector3d>& values) {
-  if (!values.empty())
-    add_field(data, name, values.size(), {"X", "Y", "Z"}, [&](std::size_t n, int c) { return values[n][c]; });
+/// The values of an array, where they are of a kind that fields have.
+std::optional<NamedField::Values> values_of(vtkDataArray& array) {
+  switch (array.GetNumberOfComponents()) {
+    case 1:
+      if (array.GetDataType() == VTK_INT) return tuples<int>(array);
+      return tuples<double>(array);
+    case 2: return tuples<Eigen::Vector2d>(array);
+    case 3: return tuples<Eigen::Vector3d>(array);
+    case 6: return tuples<Stress>(array);
+    default: return {};
+  }
 }
 
-void add_integers(vtkFieldData& data, const char* name, const std::vector<int>& values) {
-  if (values.empty()) return;
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  for (int value : values) array->InsertNextValue(value);
-  data.AddArray(array);
-}
-
-/// The names that the integers of a field stand for.
-void add_names(vtkUnstructuredGrid& grid, const char* name, const std::vector<std::string>& names) {
-  if (names.empty()) return;
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : names) array->InsertNextValue(text);
-  grid.GetFieldData()->AddArray(array);
-}
-
-void set_points(vtkUnstructuredGrid& grid, const std::vector<Eigen::Vector3d>& positions) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Eigen::Vector3d& x : positions) points->InsertNextPoint(x.data());
-  grid.SetPoints(points);
+void read_fields(vtkFieldData& data, Place place, Fields& fields) {
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
+    vtkDataArray* array = data.GetArray(i);
+    if (!array || !array->GetName() || fields.find(std::string_view(array->GetName()))) continue;
+    std::optional<NamedField::Values> values = values_of(*array);
+    if (!values) continue;
+    const FieldMeaning known = meaning_of(array->GetName());
+    NamedField field{array->GetName(), std::string(known.unit), std::string(known.description), place, std::move(*values), {}};
+    for (int c = 0; array->GetNumberOfComponents() > 1 && c < array->GetNumberOfComponents(); ++c)
+      field.components.emplace_back(array->GetComponentName(c) ? array->GetComponentName(c) : std::to_string(c + 1));
+    fields.add(std::move(field));
+  }
 }
 
 /// Where VTK's node n of a hexahedron or quadrilateral stands in our tensor order, read from the parametric coordinates
@@ -114,49 +118,49 @@ GridCell surface_cell(int nodes) {
 }
 
 template <std::size_t count>
-void add_cells(vtkUnstructuredGrid& grid, const GridCell& kind, const std::vector<std::array<int, count>>& cells) {
-  grid.Allocate(static_cast<vtkIdType>(cells.size()));
-  std::vector<vtkIdType> ids(kind.order.size());
+void add_cells(Grid& grid, const GridCell& kind, const std::vector<std::array<int, count>>& cells) {
   for (const auto& cell : cells) {
-    for (std::size_t n = 0; n < ids.size(); ++n) ids[n] = cell[kind.order[n]];
-    grid.InsertNextCell(kind.type, static_cast<vtkIdType>(ids.size()), ids.data());
+    for (const int place : kind.order) grid.nodes.push_back(cell[place]);
+    grid.types.push_back(static_cast<unsigned char>(kind.type));
+    grid.ends.push_back(static_cast<int>(grid.nodes.size()));
   }
 }
 
-void add_body_cells(vtkUnstructuredGrid& grid, const BodyResult& body) {
+void add_names(Grid& grid, const char* name, const Names& names) {
+  if (!names.empty()) grid.names.emplace_back(name, names);
+}
+
+template <class Value>
+void add_unless_empty(Grid& grid, const FieldName<Value>& name, const std::vector<Value>& values) {
+  if (!values.empty()) grid.fields.add(named(name, values));
+}
+
+void add_body_cells(Grid& grid, const BodyResult& body) {
   if (body.cells.empty())  // a rigid body is its skin
     return add_cells(grid, surface_cell(body.facet_nodes), body.skin_facets);
   add_cells(grid, volume_cell(body.cell_nodes), body.cells);
-  add_integers(*grid.GetCellData(), "layer", body.cell_layer);
+  add_unless_empty(grid, field::layer, body.cell_layer);
   add_names(grid, "layer_names", body.layers);
 }
 
-void add_tensor(vtkFieldData& data, const char* name, const std::vector<Stress>& stress) {
-  if (stress.empty()) return;
-  add_field(data, name, stress.size(), {"XX", "YY", "ZZ", "XY", "YZ", "XZ"},
-            [&](std::size_t n, int c) { return stress[n][c]; });
-}
-
-void add_stress(vtkFieldData& data, const std::vector<Stress>& stress) {
-  if (stress.empty()) return;
-  add_tensor(data, "cauchy_stress", stress);
-  add_field(data, "von_mises", stress.size(), {}, [&](std::size_t n, int) { return von_mises(stress[n]); });
-  std::vector<Eigen::Vector3d> principal;
-  for (const Stress& s : stress) principal.push_back(principal_stresses(s));
-  add_field(data, "principal_stress", stress.size(), {"S1", "S2", "S3"},
-            [&](std::size_t n, int c) { return principal[n][c]; });
+void add_recorded(Grid& grid, const Fields& fields) {
+  for (const NamedField& field : fields)
+    if (field.recorded) grid.fields.add(field);
 }
 
 /// Rating of the node's location where the node is covered; NaN elsewhere. One value a location, because the curves
 /// were fitted to pressures of whole locations.
-void add_sensation_field(vtkFieldData& data, const BodyResult& body, const Evaluation& evaluation) {
+void add_sensation(Grid& grid, const BodyResult& body, const Evaluation& evaluation) {
   if (!evaluation.comfort) return;
   const double none = std::numeric_limits<double>::quiet_NaN();
-  add_field(data, "sensation", body.nodes.size(), {}, [&](std::size_t n, int) {
+  const std::vector<double>* coverage = body.fields.find(field::coverage);
+  std::vector<double> rating(body.nodes.size(), none);
+  for (std::size_t n = 0; n < rating.size(); ++n) {
     const int location = n < body.node_location.size() ? body.node_location[n] : -1;
-    const bool covered = n < body.coverage.size() && body.coverage[n] > 0;
-    return location < 0 || !covered ? none : evaluation.locations.at(location).rating.value_or(none);
-  });
+    const bool covered = coverage && n < coverage->size() && (*coverage)[n] > 0;
+    if (location >= 0 && covered) rating[n] = evaluation.locations.at(location).rating.value_or(none);
+  }
+  grid.fields.add(named(field::sensation, std::move(rating)));
 }
 
 /// Every field needs a value a point or cell; ParaView crashes on a shorter one.
@@ -172,74 +176,116 @@ void check_sizes(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
   check(*grid.GetCellData(), grid.GetNumberOfCells());
 }
 
-void write(vtkUnstructuredGrid& grid, const std::filesystem::path& vtu) {
-  check_sizes(grid, vtu);
-  write_vtu(grid, vtu);
+}  // namespace
+
+vtkSmartPointer<vtkUnstructuredGrid> cells_to_vtk(const Grid& grid) {
+  auto vtk = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Eigen::Vector3d& x : grid.points) points->InsertNextPoint(x.data());
+  vtk->SetPoints(points);
+  vtk->Allocate(static_cast<vtkIdType>(grid.cells()));
+  std::vector<vtkIdType> ids;
+  for (std::size_t c = 0; c < grid.cells(); ++c) {
+    const std::span<const int> nodes = grid.nodes_of(c);
+    ids.assign(nodes.begin(), nodes.end());
+    vtk->InsertNextCell(grid.types[c], static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  return vtk;
+}
+
+namespace {
+
+vtkSmartPointer<vtkUnstructuredGrid> to_vtk(const Grid& grid) {
+  auto vtk = cells_to_vtk(grid);
+  for (const NamedField& field : grid.fields)
+    (field.place == Place::node ? static_cast<vtkFieldData*>(vtk->GetPointData()) : vtk->GetCellData())->AddArray(array_of(field));
+  for (const auto& [name, texts] : grid.names) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name.c_str());
+    for (const std::string& text : texts) array->InsertNextValue(text);
+    vtk->GetFieldData()->AddArray(array);
+  }
+  return vtk;
 }
 
 }  // namespace
 
-void write_body(const BodyResult& body, const Evaluation& evaluation, const std::filesystem::path& vtu) {
-  vtkNew<vtkUnstructuredGrid> grid;
-  set_points(*grid, body.nodes);
-  add_body_cells(*grid, body);
-  vtkPointData& points = *grid->GetPointData();
-  if (!body.displacement.empty()) add_vectors(points, "displacement", body.displacement);
-  add_integers(points, "node_number", body.node_numbers);
-  add_scalars(points, "contact_pressure", body.contact_pressure);
-  add_scalars(points, "coverage", body.coverage);
-  add_scalars(points, "hem", body.hem);
-  add_scalars(points, "pressure_inside", body.pressure_inside);
-  add_scalars(points, "laplace_pressure", body.laplace_pressure);
-  add_vectors(points, "shear_traction", body.shear_traction);
-  add_scalars(points, "slip", body.slip);
-  add_stress(points, body.cauchy_stress);
-  add_tensor(points, "stress_top", body.stress_top);
-  add_tensor(points, "stress_bottom", body.stress_bottom);
-  add_integers(points, "location", body.node_location);
-  add_names(*grid, "location_names", body.locations);
-  add_sensation_field(points, body, evaluation);
-  write(*grid, vtu);
+Grid read_grid(const std::filesystem::path& vtu) {
+  const auto vtk = read_vtu(vtu);
+  Grid grid;
+  for (vtkIdType n = 0; n < vtk->GetNumberOfPoints(); ++n) grid.points.emplace_back(vtk->GetPoint(n));
+  for (vtkIdType c = 0; c < vtk->GetNumberOfCells(); ++c) {
+    vtkIdType count = 0;
+    const vtkIdType* nodes = nullptr;
+    vtk->GetCellPoints(c, count, nodes);
+    grid.nodes.insert(grid.nodes.end(), nodes, nodes + count);
+    grid.types.push_back(static_cast<unsigned char>(vtk->GetCellType(c)));
+    grid.ends.push_back(static_cast<int>(grid.nodes.size()));
+  }
+  read_fields(*vtk->GetPointData(), Place::node, grid.fields);
+  read_fields(*vtk->GetCellData(), Place::cell, grid.fields);
+  for (int i = 0; i < vtk->GetFieldData()->GetNumberOfArrays(); ++i)
+    if (auto* array = vtkStringArray::SafeDownCast(vtk->GetFieldData()->GetAbstractArray(i)); array && array->GetName()) {
+      Names& texts = grid.names.emplace_back(array->GetName(), Names{}).second;
+      for (vtkIdType n = 0; n < array->GetNumberOfValues(); ++n) texts.push_back(array->GetValue(n));
+    }
+  return grid;
 }
 
-void write_garment(const GarmentResult& garment, const std::filesystem::path& vtu) {
-  vtkNew<vtkUnstructuredGrid> grid;
-  set_points(*grid, garment.current);
-  add_cells(*grid, surface_cell(6), garment.triangles);
-  vtkPointData& points = *grid->GetPointData();
-  if (garment.placed.size() == garment.current.size())
-    add_field(points, "displacement", garment.current.size(), {"X", "Y", "Z"},
-              [&](std::size_t n, int c) { return garment.current[n][c] - garment.placed[n][c]; });
-  add_scalars(points, "contact_pressure", garment.contact_pressure);
-  add_vectors(points, "shear_traction", garment.shear_traction);
-  add_scalars(points, "slip", garment.slip);
-  vtkCellData& cells = *grid->GetCellData();
-  add_scalars(cells, "tension_warp", garment.tension_warp);
-  add_scalars(cells, "tension_weft", garment.tension_weft);
-  add_scalars(cells, "shear", garment.shear);
-  if (!garment.stretch_warp.empty())
-    add_field(cells, "stretch", garment.stretch_warp.size(), {"warp", "weft"},
-              [&](std::size_t n, int c) { return c == 0 ? garment.stretch_warp[n] : garment.stretch_weft.at(n); });
-  add_scalars(cells, "wrinkled", garment.wrinkled);
-  if (garment.parts.size() > 1) {  // which of the garments, in the order of the case
+void write_grid(const Grid& grid, const std::filesystem::path& vtu) {
+  const auto vtk = to_vtk(grid);
+  check_sizes(*vtk, vtu);
+  write_vtu(*vtk, vtu);
+}
+
+const std::vector<std::string>* Grid::find_names(std::string_view name) const {
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == name; });
+  return found == names.end() ? nullptr : &found->second;
+}
+
+Grid grid_of(const BodyResult& body, const Evaluation& evaluation) {
+  Grid grid;
+  grid.points = body.nodes;
+  add_body_cells(grid, body);
+  add_recorded(grid, body.fields);
+  add_unless_empty(grid, field::node_number, body.node_numbers);
+  add_unless_empty(grid, field::location, body.node_location);
+  add_names(grid, "location_names", body.locations);
+  add_sensation(grid, body, evaluation);
+  return grid;
+}
+
+Grid grid_of(const GarmentResult& garment) {
+  Grid grid;
+  grid.points = garment.current;
+  add_cells(grid, surface_cell(6), garment.triangles);
+  if (garment.placed.size() == garment.current.size()) {
+    std::vector<Eigen::Vector3d> displacement = garment.current;
+    for (std::size_t n = 0; n < displacement.size(); ++n) displacement[n] -= garment.placed[n];
+    grid.fields.add(named(field::displacement, std::move(displacement)));
+  }
+  add_recorded(grid, garment.fields);
+  if (garment.parts.size() > 1) {
     std::vector<double> part(garment.triangles.size(), 0.0);
     for (std::size_t g = 0; g < garment.parts.size(); ++g)
       for (int t = garment.parts[g].first_triangle; t < garment.parts[g].end_triangle; ++t) part[t] = static_cast<double>(g);
-    add_scalars(cells, "garment", part);
+    grid.fields.add(named(field::garment, std::move(part)));
   }
-  write(*grid, vtu);
+  return grid;
 }
 
-void write_surface(const SurfaceGrid& surface, const std::filesystem::path& vtu) {
-  vtkNew<vtkUnstructuredGrid> grid;
-  set_points(*grid, surface.points);
-  add_cells(*grid, {VTK_TRIANGLE, {0, 1, 2}}, surface.triangles);
-  if (!surface.displacement.empty())
-    add_field(*grid->GetPointData(), "displacement", surface.displacement.size(), {"X", "Y", "Z"},
-              [&](std::size_t n, int c) { return surface.displacement[n][c]; });
-  for (const auto& [name, values] : surface.point_fields) add_scalars(*grid->GetPointData(), name.c_str(), values);
-  for (const auto& [name, values] : surface.cell_fields) add_scalars(*grid->GetCellData(), name.c_str(), values);
-  write(*grid, vtu);
+void write_body(const BodyResult& body, const Evaluation& evaluation, const std::filesystem::path& vtu) {
+  write_grid(grid_of(body, evaluation), vtu);
+}
+
+void write_garment(const GarmentResult& garment, const std::filesystem::path& vtu) { write_grid(grid_of(garment), vtu); }
+
+Grid surface_grid(std::vector<Eigen::Vector3d> points, const std::vector<std::array<int, 3>>& triangles) {
+  Grid grid;
+  grid.points = std::move(points);
+  add_cells(grid, {VTK_TRIANGLE, {0, 1, 2}}, triangles);
+  return grid;
 }
 
 void write_series(const std::vector<GridStep>& steps, const std::filesystem::path& pvd) {

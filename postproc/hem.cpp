@@ -93,37 +93,36 @@ void fill_lines(const std::vector<Near>& near, RunResult& run) {
 }
 
 /// Raises the largest pressures of the nodes of a facet that a strip's border runs through to those of its points beside the strip.
-void raise_to_border(const std::vector<ContactSample>& samples, BodyResult& body) {
+void raise_to_border(const std::vector<ContactSample>& samples, const BodyResult& body, std::vector<double>& largest_inside) {
+  const std::vector<double>&hem = body.fields[field::hem], &nodal = body.fields[field::contact_pressure];
   for (const ContactSample& sample : samples) {
     if (sample.facet < 0 || sample.hem >= 0) continue;
     const auto& facet = body.skin_facets[sample.facet];
-    const bool border = std::any_of(facet.begin(), facet.end(), [&](int n) { return n >= 0 && body.hem[n] == 1.0; });
+    const bool border = std::any_of(facet.begin(), facet.end(), [&](int n) { return n >= 0 && hem[n] == 1.0; });
     if (!border) continue;
-    const double pressure = field_at(body.skin_facets, sample, body.contact_pressure);
+    const double pressure = field_at(body.skin_facets, sample, nodal);
     for (const int n : facet)
-      if (n >= 0) body.largest_inside[n] = std::max(body.largest_inside[n], pressure);
+      if (n >= 0) largest_inside[n] = std::max(largest_inside[n], pressure);
   }
 }
 
 void fill_body(const std::vector<Chain>& chains, const RunResult& run, BodyResult& body) {
-  std::vector<Point> now = body.nodes;
-  for (std::size_t n = 0; n < now.size(); ++n) now[n] += body.displacement[n];
-  body.pressure_inside = body.contact_pressure;
-  body.hem.assign(now.size(), 0.0);
+  const std::vector<Point> now = nodes_now(body);
+  std::vector<double>& inside = body.fields.set(field::pressure_inside, body.fields[field::contact_pressure]);
+  std::vector<double>& hem = body.fields.set(field::hem, std::vector<double>(now.size(), 0.0));
   std::vector<char> skin(now.size(), 0);
   for (const auto& facet : body.skin_facets)
     for (const int node : facet)
       if (node >= 0) skin[node] = 1;
   double widest = 0.0;
-  for (const Hem& hem : run.hems) widest = std::max(widest, hem.strip);
+  for (const Hem& one : run.hems) widest = std::max(widest, one.strip);
   for (std::size_t n = 0; n < now.size(); ++n) {
     const Near near = skin[n] ? nearest(chains, now[n], widest) : Near{};
-    if (near.edge >= 0 && near.distance < run.hems[near.edge].strip) body.hem[n] = 1.0;
+    if (near.edge >= 0 && near.distance < run.hems[near.edge].strip) hem[n] = 1.0;
   }
   for (std::size_t n = 0; n < now.size(); ++n)
-    if (body.hem[n] == 1.0) body.pressure_inside[n] = 0.0;
-  body.largest_inside = body.pressure_inside;
-  raise_to_border(run.samples, body);
+    if (hem[n] == 1.0) inside[n] = 0.0;
+  raise_to_border(run.samples, body, body.fields.set(field::largest_inside, inside));
 }
 
 }  // namespace
@@ -170,7 +169,8 @@ double keep_hems_apart(double cell, RunResult& run) {
   }
   fill_lines(near, run);
   fill_body(chains, run, run.body);
-  return *std::max_element(run.body.largest_inside.begin(), run.body.largest_inside.end());
+  const std::vector<double>& largest = run.body.fields[field::largest_inside];
+  return *std::max_element(largest.begin(), largest.end());
 }
 
 }  // namespace snug::postproc

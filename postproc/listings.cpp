@@ -63,7 +63,7 @@ Listing displacement_listing(const BodyResult& body) {
                                   "THE FOLLOWING DEGREE OF FREEDOM RESULTS ARE IN THE GLOBAL COORDINATE SYSTEM");
   listing.labels = {"UX", "UY", "UZ", "USUM"};
   listing.extrema = Extrema::range_and_absolute;
-  for (const Eigen::Vector3d& u : body.displacement) listing.rows.push_back({u.x(), u.y(), u.z(), u.norm()});
+  for (const Eigen::Vector3d& u : body.fields[field::displacement]) listing.rows.push_back({u.x(), u.y(), u.z(), u.norm()});
   return listing;
 }
 
@@ -73,19 +73,21 @@ Listing stress_listing(const BodyResult& body) {
   listing.heading =
       nodal_heading("S    NODAL SOLUTION PER NODE", "STRESS", "THE FOLLOWING X,Y,Z VALUES ARE IN GLOBAL COORDINATES");
   listing.labels = {"S1", "S2", "S3", "SINT", "SEQV"};
-  const auto add = [&](const Stress& stress) {
-    const Eigen::Vector3d s = principal_stresses(stress);
-    listing.rows.push_back({s[0], s[1], s[2], stress_intensity(s), von_mises(stress)});
+  const auto add = [&](const Eigen::Vector3d& s, double equivalent) {
+    listing.rows.push_back({s[0], s[1], s[2], stress_intensity(s), equivalent});
   };
-  if (body.stress_top.empty()) {
-    for (const Stress& stress : body.cauchy_stress) add(stress);
+  const std::vector<Stress>*top = body.fields.find(field::stress_top), *bottom = body.fields.find(field::stress_bottom);
+  if (!top || !bottom) {
+    const std::vector<Eigen::Vector3d>& principal = body.fields[field::principal_stress];
+    const std::vector<double>& equivalent = body.fields[field::von_mises];
+    for (std::size_t n = 0; n < principal.size(); ++n) add(principal[n], equivalent[n]);
     return listing;
   }
   listing.heading.insert(listing.heading.end(), {"  SHELL NODAL RESULTS ARE AT TOP/BOTTOM FOR MATERIAL   1", ""});
   listing.nodes.clear();
-  for (std::size_t n = 0; n < body.stress_top.size(); ++n) {
+  for (std::size_t n = 0; n < top->size(); ++n) {
     listing.nodes.insert(listing.nodes.end(), 2, body.node_number(n));
-    add(body.stress_top[n]), add(body.stress_bottom[n]);
+    for (const Stress& stress : {(*top)[n], (*bottom)[n]}) add(principal_stresses(stress), von_mises(stress));
   }
   return listing;
 }

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "postproc/field_cells.hpp"
+#include "postproc/store.hpp"
 #include "postproc/stress.hpp"
 
 namespace snug::postproc {
@@ -163,8 +164,12 @@ NodalField read_listings(const fs::path& source, const std::vector<fs::path>& fi
   return field;
 }
 
+NodalField read_nodal_grid(const fs::path& vtu, std::optional<ShellSurface> surface) {
+  return nodal_field(read_grid(vtu), vtu.string(), surface);
+}
+
 NodalField read_directory(const fs::path& directory, const FieldOptions& options) {
-  if (fs::exists(directory / "body_0000.vtu")) return read_grid(directory / "body_0000.vtu", options.surface);
+  if (fs::exists(directory / body_grid_file)) return read_nodal_grid(directory / body_grid_file, options.surface);
   std::vector<fs::path> files;
   for (const char* name : {"displacement.lis", "stress.lis", "nodes.lis"})
     if (fs::exists(directory / name)) files.push_back(directory / name);
@@ -238,7 +243,7 @@ void set_invariants(NodalField& field) {
 
 NodalField read_field(const fs::path& source, const FieldOptions& options) {
   NodalField field = fs::is_directory(source)       ? read_directory(source, options)
-                     : source.extension() == ".vtu" ? read_grid(source, options.surface)
+                     : source.extension() == ".vtu" ? read_nodal_grid(source, options.surface)
                                                     : read_listings(source, {source}, options);
   field.name = source.string();
   return field;

@@ -22,6 +22,7 @@ std::string unit_of(Quantity quantity);
 struct NodalColumn {
   std::string label;           ///< UX, S1, ...; "S1 TOP" and "S1 BOTTOM" where a listing has both
   std::vector<double> values;  ///< SI, one a node; NaN where the node has none
+  bool asked = false;          ///< compared only where it is asked for by its label
 };
 
 class FieldCells;

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "cases/input/files.hpp"
-#include "postproc/grid.hpp"
+#include "postproc/store.hpp"
 #include "postproc/tables.hpp"
 
 namespace snug::postproc {
@@ -12,11 +12,11 @@ namespace {
 using Path = std::filesystem::path;
 
 bool always(const Record&) { return true; }
-bool has_body(const Record& record) { return !record.run.body.skin_facets.empty() || !record.run.body.cells.empty(); }
+bool has_body(const Record& record) { return record.stored.body_grid.has_value(); }
 bool has_skin(const Record& record) { return !record.run.body.skin_facets.empty(); }
-bool has_stress(const Record& record) { return !record.run.body.cauchy_stress.empty(); }
-bool has_displacement(const Record& record) { return !record.run.body.displacement.empty(); }
-bool has_garment(const Record& record) { return !record.run.garment.triangles.empty(); }
+bool has_stress(const Record& record) { return record.run.body.fields.has(field::cauchy_stress); }
+bool has_displacement(const Record& record) { return record.run.body.fields.has(field::displacement); }
+bool has_garment(const Record& record) { return record.stored.garment_grid.has_value(); }
 bool has_locations(const Record& record) { return !record.evaluation.locations.empty(); }
 bool has_comfort(const Record& record) { return record.evaluation.comfort.has_value(); }
 
@@ -31,13 +31,10 @@ void write_text(const Path& file, Fill fill) {
 /// The load parameter that the state has reached.
 double reached(const Record& record) { return record.run.history.empty() ? 1.0 : record.run.history.back().load; }
 
-const char* const body_grid = "body_0000.vtu";
-const char* const garment_grid = "garment_0000.vtu";
-
-void body_vtu(const Record& record, const Path& file) { write_body(record.run.body, record.evaluation, file); }
-void body_pvd(const Record& record, const Path& file) { write_series({{reached(record), body_grid}}, file); }
-void garment_vtu(const Record& record, const Path& file) { write_garment(record.run.garment, file); }
-void garment_pvd(const Record& record, const Path& file) { write_series({{reached(record), garment_grid}}, file); }
+void body_vtu(const Record& record, const Path& file) { write_grid(*record.stored.body_grid, file); }
+void body_pvd(const Record& record, const Path& file) { write_series({{reached(record), body_grid_file}}, file); }
+void garment_vtu(const Record& record, const Path& file) { write_grid(*record.stored.garment_grid, file); }
+void garment_pvd(const Record& record, const Path& file) { write_series({{reached(record), garment_grid_file}}, file); }
 
 void displacements(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_listing(out, displacement_listing(record.run.body)); });
@@ -55,13 +52,13 @@ void skin(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_skin(out, record.run.body); });
 }
 void comfort(const Record& record, const Path& file) {
-  write_text(file, [&](std::ostream& out) { write_comfort(out, record.evaluation); });
+  input::write_file(file, text_of(record.stored.comfort));
 }
 void history(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_history(out, record.run); });
 }
 void summary(const Record& record, const Path& file) {
-  write_text(file, [&](std::ostream& out) { write_summary(out, record.run, record.evaluation, record.provenance); });
+  input::write_file(file, text_of(record.stored.summary));
 }
 
 void write_one(const Recorder& recorder, const Record& record, const Path& out) {
@@ -75,21 +72,25 @@ void write_one(const Recorder& recorder, const Record& record, const Path& out) 
 
 const std::vector<Recorder>& recorders() {
   static const std::vector<Recorder> list = {
-      {body_grid, has_body, body_vtu},          {"body.pvd", has_body, body_pvd},
-      {garment_grid, has_garment, garment_vtu}, {"garment.pvd", has_garment, garment_pvd},
+      {body_grid_file, has_body, body_vtu},          {body_series_file, has_body, body_pvd},
+      {garment_grid_file, has_garment, garment_vtu}, {garment_series_file, has_garment, garment_pvd},
       {"nodes.lis", has_body, nodes},           {"displacement.lis", has_displacement, displacements},
       {"stress.lis", has_stress, stresses},     {"locations.csv", has_locations, locations},
-      {"skin.csv", has_skin, skin},
-      {"comfort.json", has_comfort, comfort},   {"history.csv", always, history},
-      {"summary.json", always, summary},
+      {skin_file, has_skin, skin},
+      {comfort_file, has_comfort, comfort},   {history_file, always, history},
+      {summary_file, always, summary},
   };
   return list;
 }
 
-void write_results(const RunResult& run, const Evaluation& evaluation, const Path& out, const Provenance& provenance) {
+void write_results(const RunResult& run, const Evaluation& evaluation, const StoredRun& stored, const Path& out) {
   std::filesystem::create_directories(out);
-  const Record record{run, evaluation, provenance};
+  const Record record{run, evaluation, stored};
   for (const Recorder& recorder : recorders()) write_one(recorder, record, out);
+}
+
+void write_results(const RunResult& run, const Evaluation& evaluation, const Path& out, const Provenance& provenance) {
+  write_results(run, evaluation, stored_run(run, evaluation, provenance, out), out);
 }
 
 }  // namespace snug::postproc

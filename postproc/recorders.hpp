@@ -11,11 +11,13 @@
 
 namespace snug::postproc {
 
+struct StoredRun;
+
 /// What a recorder looks at.
 struct Record {
   const RunResult& run;
   const Evaluation& evaluation;
-  const Provenance& provenance;
+  const StoredRun& stored;  ///< what store.hpp reads back: its recorders write it as it stands
 };
 
 struct Recorder {
@@ -32,5 +34,7 @@ const std::vector<Recorder>& recorders();
 /// std::runtime_error naming the file that cannot be written.
 void write_results(const RunResult& run, const Evaluation& evaluation, const std::filesystem::path& out,
                    const Provenance& provenance = {});
+/// The same where `stored` is made already (store.hpp).
+void write_results(const RunResult& run, const Evaluation& evaluation, const StoredRun& stored, const std::filesystem::path& out);
 
 }  // namespace snug::postproc

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "postproc/fields.hpp"
+
 namespace snug::postproc {
 
 /// One quadrature point of the garment that touches or faces the skin.
@@ -25,7 +27,7 @@ struct ContactSample {
   int hem = -1;                    ///< index into RunResult::hems: in the strip beside that edge; -1: in none
 };
 
-/// The deformed body with nodal fields. Tensors are symmetric: xx yy zz xy yz xz.
+/// The deformed body with nodal fields.
 struct BodyResult {
   std::vector<Eigen::Vector3d> nodes;                 ///< reference positions, m
   std::vector<int> node_numbers;                      ///< of an imported body; empty: node n has number n + 1
@@ -36,20 +38,8 @@ struct BodyResult {
   std::vector<int> cell_layer;
   std::vector<std::string> locations;                 ///< names
   std::vector<int> node_location;                     ///< -1: none
-  std::vector<Eigen::Vector3d> displacement;          ///< m
-  std::vector<Eigen::Matrix<double, 6, 1>> cauchy_stress;  ///< Pa, nodal averages; empty for a rigid body
-  std::vector<Eigen::Matrix<double, 6, 1>> stress_top, stress_bottom;  ///< of a shell, along its normal and against it;
-                                                      ///< cauchy_stress is then that of its middle
-  std::vector<double> contact_pressure;               ///< Pa, nodes off the skin 0
-  std::vector<double> coverage;                       ///< 0..1
-  std::vector<double> hem;                            ///< 1 in the strip beside an edge of the garment (hem.hpp), else 0;
-                                                      ///< empty without contact
-  std::vector<double> pressure_inside;                ///< Pa, of the contact beside those strips, 0 in them; empty as `hem`
-  std::vector<double> largest_inside;                 ///< Pa, of a node's own `pressure_inside` and of the points beside the strips in
-                                                      ///< a facet of the node that a strip's border runs through; empty as `hem`
-  std::vector<double> laplace_pressure;               ///< Pa, L0 value where computed; may be empty
-  std::vector<Eigen::Vector3d> shear_traction;        ///< Pa, friction of the garment on the skin; empty without friction
-  std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips; empty without friction
+  Fields fields;                                      ///< what is known at the nodes (fields.hpp): of every body `displacement`,
+                                                      ///< `contact_pressure` and `coverage` (0 off the skin), then what its scene has
 
   int node_number(std::size_t node) const {
     return node_numbers.empty() ? static_cast<int>(node) + 1 : node_numbers[node];
@@ -76,12 +66,7 @@ struct GarmentResult {
   std::vector<Eigen::Vector2d> pattern;               ///< m
   std::vector<std::array<int, 6>> triangles;
   std::vector<GarmentEdge> edges;
-  std::vector<double> tension_warp, tension_weft, shear;  ///< Cauchy forces per current length, N/m, a triangle
-  std::vector<double> stretch_warp, stretch_weft;     ///< a triangle
-  std::vector<double> wrinkled;                       ///< 0 taut, 1 wrinkled, 2 slack, a triangle
-  std::vector<double> contact_pressure;               ///< Pa per current area, a node
-  std::vector<Eigen::Vector3d> shear_traction;        ///< Pa per current area, friction of the skin on the garment, a node
-  std::vector<double> slip;                           ///< 0 no contact, 1 sticks, 2 slips, a node; both empty without friction
+  Fields fields;                                      ///< a value a pattern node or a triangle (fields.hpp)
 };
 
 struct Iteration {  ///< one row of history.csv

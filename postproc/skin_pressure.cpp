@@ -162,6 +162,13 @@ void add_triangle_areas(const std::array<int, 9>& facet, const Points& positions
 
 }  // namespace
 
+std::vector<Eigen::Vector3d> nodes_now(const BodyResult& body) {
+  std::vector<Eigen::Vector3d> positions = body.nodes;
+  if (const auto* displacement = body.fields.find(field::displacement))
+    for (std::size_t n = 0; n < std::min(positions.size(), displacement->size()); ++n) positions[n] += (*displacement)[n];
+  return positions;
+}
+
 std::vector<double> nodal_areas(const Facets& facets, std::size_t nodes, const Points& positions) {
   // The hats have kinks at 0: two Gauss points on either side, in each direction.
   static const fem::Rule rule = fem::quadrature(fem::Domain::line, 3);
@@ -202,6 +209,7 @@ SkinPressure transfer(const Facets& facets, std::size_t nodes, const Points& pos
   result.lost_force = sums.total_force - sums.lumped.dot(pressure);
   result.pressure = to_vector(pressure);
   result.area = to_vector(sums.covered);
+  result.node_area = areas;
   result.force = to_vector(sums.force);
   return result;
 }

@@ -17,9 +17,13 @@ struct SkinPressure {
   std::vector<double> coverage;  ///< 0..1, covered share of the node's part of the deformed skin
   std::vector<double> area;      ///< m2, covered area of the node; sums to the area of the samples on facets
   std::vector<double> force;     ///< N, consistent nodal force f_j = sum_q force_q N_j(xi_q); sums to the sample forces
+  std::vector<double> node_area; ///< m2, of the node's part of the skin (`nodal_areas`)
   double lost_force = 0.0;       ///< N, force of the samples that the returned pressure does not carry (signed):
                                  ///< samples without a facet, uncovered nodes, clipped negative pressures
 };
+
+/// Positions of the nodes in the deformed body, m.
+std::vector<Eigen::Vector3d> nodes_now(const BodyResult& body);
 
 /// Area of each node's part of the skin, m2: integral of the bilinear hat on the 3 x 3 nodes of each facet. The hats
 /// are positive and sum to one, unlike the biquadratic functions, whose negative lobes make a poor measure of area.

@@ -1,21 +1,19 @@
 #include "postproc/summary.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
+#include "postproc/documents.hpp"
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// nlohmann writes numbers that are not finite as null, which is what we want of a value that was not computed.
-std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+/// As its text reads: what a file cannot hold is not in a document either.
+Json as_read(const Json& json) { return Json::parse(text_of(json)); }
 
 /// An empty map would become null.
 template <class Map>
@@ -179,6 +177,21 @@ Json unknowns_json(const RunResult& run) {
   return json;
 }
 
+/// Fields that are not our own: no file but this one tells their unit and meaning.
+void add_fields(const char* part, const Fields& fields, Json& list) {
+  for (const NamedField& field : fields)
+    if (field.recorded && meaning_of(field.name).description.empty())
+      list.push_back({{"part", part}, {"name", field.name}, {"unit", field.unit}, {"place", field.place == Place::node ? "node" : "cell"},
+                      {"description", field.description}});
+}
+
+Json fields_json(const RunResult& run) {
+  Json list = Json::array();
+  add_fields("body", run.body.fields, list);
+  add_fields("garment", run.garment.fields, list);
+  return list;
+}
+
 Json residuals_json(const RunResult& run) {
   if (run.history.empty()) return Json::object();
   const Iteration& last = run.history.back();
@@ -225,6 +238,7 @@ void add_outcome(Json& json, const RunResult& run) {
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
   if (!run.donning.empty()) json["spread_over_donning_paths"] = donning_json(run);
   json["numbers"] = object(run.numbers);
+  if (Json fields = fields_json(run); !fields.empty()) json["fields"] = std::move(fields);
 }
 
 void add_evaluation(Json& json, const Evaluation& evaluation) {
@@ -246,8 +260,10 @@ std::string state_text(const RunResult& run) {
   return text;
 }
 
-void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation,
-                   const Provenance& provenance) {
+// nlohmann writes numbers that are not finite as null, which is what we want of a value that was not computed.
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+Json summary_document(const RunResult& run, const Evaluation& evaluation, const Provenance& provenance) {
   Json json;
   add_outcome(json, run);
   add_evaluation(json, evaluation);
@@ -259,13 +275,14 @@ void write_summary(std::ostream& out, const RunResult& run, const Evaluation& ev
   json["command"] = provenance.command;
   json["versions"] = object(provenance.versions);
   json["input_hashes"] = object(provenance.input_hashes);
-  out << text_of(json);
+  return as_read(json);
 }
 
-void write_comfort(std::ostream& out, const Evaluation& evaluation) {
-  if (!evaluation.comfort) throw std::logic_error("write_comfort: the evaluation has no comfort");
-  out << text_of(comfort_json(evaluation));
+Json comfort_document(const Evaluation& evaluation) {
+  if (!evaluation.comfort) throw std::logic_error("comfort_document: the evaluation has no comfort");
+  return as_read(comfort_json(evaluation));
 }
+
 
 std::string evaluation_json(const Evaluation& evaluation) {
   Json json = {

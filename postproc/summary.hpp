@@ -1,8 +1,7 @@
-// summary.json and comfort.json. A value that is not finite is written as null.
+// What summary.json holds beside the result, and texts of it (documents.hpp has the files themselves).
 #pragma once
 
 #include <map>
-#include <ostream>
 #include <string>
 
 #include "postproc/evaluate.hpp"
@@ -21,9 +20,6 @@ struct Provenance {
 /// "at 33 % of the stage rigid skin, the tissue 12 times as stiff as it is": what a state short of the answer is.
 std::string state_text(const RunResult& run);
 
-void write_summary(std::ostream& out, const RunResult& run, const Evaluation& evaluation, const Provenance& provenance);
-/// Needs evaluation.comfort. Throws std::logic_error without.
-void write_comfort(std::ostream& out, const Evaluation& evaluation);
 /// {"locations": [{location, rating, term, ...}], "comfort": {...} or null}, as `snug score --json` prints.
 std::string evaluation_json(const Evaluation& evaluation);
 

@@ -3,17 +3,39 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <charconv>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
 
+namespace {
+
+/// A spreadsheet takes a cell that begins so for a formula and runs it.
+std::string no_formula(const std::string& text) {
+  const bool formula = !text.empty() && std::string("=+-@\t\r").find(text[0]) != std::string::npos;
+  return formula ? "'" + text : text;
+}
+
+/// How history.csv writes a number.
+std::string of_load(double value) { return fmt::format("{:.9g}", value); }
+std::string of_residual(double value) { return fmt::format("{:.6e}", value); }
+std::string of_step(double value) { return fmt::format("{:.6g}", value); }
+std::string of_energy(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : ""; }
+
+double number_of(const std::string& text) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
 std::string csv_cell(const std::string& given) {
-  // A spreadsheet takes a cell that begins so for a formula and runs it.
-  const bool formula = !given.empty() && std::string("=+-@\t\r").find(given[0]) != std::string::npos;
-  const std::string text = formula ? "'" + given : given;
+  const std::string text = no_formula(given);
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
   for (char c : text) {
@@ -44,29 +66,44 @@ void write_skin(std::ostream& out, const BodyResult& body) {
   std::vector<char> skin(body.nodes.size(), 0);
   for (const auto& facet : body.skin_facets)
     for (const int node : std::span(facet).first(body.facet_nodes)) skin[node] = 1;
-  const bool friction = !body.shear_traction.empty(), contact = !body.hem.empty();
+  const std::vector<Eigen::Vector3d>&displacement = body.fields[field::displacement], *shear = body.fields.find(field::shear_traction);
+  const std::vector<double>&pressure = body.fields[field::contact_pressure], &coverage = body.fields[field::coverage];
+  const std::vector<double>*slip = body.fields.find(field::slip), *hem = body.fields.find(field::hem);
   out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m],pressure [Pa],coverage"
-      << (friction ? ",shear x [Pa],shear y [Pa],shear z [Pa],slip" : "") << (contact ? ",hem\n" : "\n");
+      << (shear ? ",shear x [Pa],shear y [Pa],shear z [Pa],slip" : "") << (hem ? ",hem\n" : "\n");
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     if (!skin[n]) continue;
-    const Eigen::Vector3d &x = body.nodes[n], &u = body.displacement[n];
+    const Eigen::Vector3d &x = body.nodes[n], &u = displacement[n];
     fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}", body.node_number(n), x.x(), x.y(), x.z(), u.x(),
-               u.y(), u.z(), body.contact_pressure[n], body.coverage[n]);
-    if (friction) {
-      const Eigen::Vector3d& t = body.shear_traction[n];
-      fmt::print(out, ",{:.9g},{:.9g},{:.9g},{:.0f}", t.x(), t.y(), t.z(), body.slip[n]);
+               u.y(), u.z(), pressure[n], coverage[n]);
+    if (shear) {
+      const Eigen::Vector3d& t = (*shear)[n];
+      fmt::print(out, ",{:.9g},{:.9g},{:.9g},{:.0f}", t.x(), t.y(), t.z(), (*slip)[n]);
     }
-    if (contact) fmt::print(out, ",{:.0f}", body.hem[n]);
+    if (hem) fmt::print(out, ",{:.0f}", (*hem)[n]);
     out << "\n";
   }
 }
 
 void write_history(std::ostream& out, const RunResult& run) {
-  out << "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,event\n";
+  out << history_head;
   for (const Iteration& row : run.history)
-    fmt::print(out, "{},{:.9g},{},{:.6e},{:.6e},{:.6g},{},{},{},{}\n", row.increment, row.load,
-               row.iteration, row.residual, row.complementarity, row.step, row.contact_nodes, row.changed, std::isfinite(row.energy) ? fmt::format("{:.9g}", row.energy) : "",
+    fmt::print(out, "{},{},{},{},{},{},{},{},{},{}\n", row.increment, of_load(row.load), row.iteration, of_residual(row.residual),
+               of_residual(row.complementarity), of_step(row.step), row.contact_nodes, row.changed, of_energy(row.energy),
                csv_cell(row.event));
+}
+
+Iteration as_recorded(const Iteration& row) {
+  return {.increment = row.increment,
+          .load = number_of(of_load(row.load)),
+          .iteration = row.iteration,
+          .residual = number_of(of_residual(row.residual)),
+          .complementarity = number_of(of_residual(row.complementarity)),
+          .step = number_of(of_step(row.step)),
+          .contact_nodes = row.contact_nodes,
+          .changed = row.changed,
+          .energy = number_of(of_energy(row.energy)),
+          .event = no_formula(row.event)};
 }
 
 }  // namespace snug::postproc

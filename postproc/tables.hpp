@@ -39,6 +39,10 @@ void write_locations(std::ostream& out, const Evaluation& evaluation);  ///< loc
 /// skin.csv: a row a node of the skin with its reference position, displacement, pressure and coverage;
 /// with friction also the traction of the garment on it and the slip (0 no contact, 1 sticks, 2 slips).
 void write_skin(std::ostream& out, const BodyResult& body);
+/// The head of history.csv, of which a run without iterations writes nothing else.
+inline constexpr const char* history_head = "increment,load,iteration,residual,complementarity,step,contact_nodes,changed,energy_J,event\n";
+/// A row as history.csv holds it: numbers to the digits that are written, and none of what is not.
+Iteration as_recorded(const Iteration& row);
 void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration, without times: the same run gives the same bytes
 
 /// `text` in quotes where a comma, quote or line end in it asks for them, and behind an apostrophe where a spreadsheet would

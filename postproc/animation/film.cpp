@@ -7,8 +7,8 @@
 
 #include "cases/input/diagnostics.hpp"
 #include "postproc/animation/four_point.hpp"
-#include "postproc/grid.hpp"
 #include "postproc/report/surfaces.hpp"
+#include "postproc/store.hpp"
 
 namespace snug::postproc::animation {
 
@@ -83,7 +83,7 @@ Shot unpack(const Eigen::VectorXd& values, Shot like) {
 std::vector<Shot> read_shots(const std::vector<GridStep>& body, const std::vector<GridStep>& garment,
                              const fs::path& out) {
   std::vector<Shot> shots(std::max(body.size(), garment.size()));
-  for (std::size_t i = 0; i < body.size(); ++i) shots[i].skin = report::read_skin(out / body[i].file, out / "skin.csv");
+  for (std::size_t i = 0; i < body.size(); ++i) shots[i].skin = report::read_skin(out / body[i].file, out / skin_file);
   for (std::size_t i = 0; i < garment.size(); ++i) shots[i].garment = report::read_garment(out / garment[i].file);
   return shots;
 }
@@ -93,23 +93,26 @@ void write_shot(const Shot& shot, const fs::path& folder, std::size_t n, double 
                 std::vector<GridStep>& garments) {
   if (shot.skin) {
     skins.push_back({time, fmt::format("skin_{:04}.vtu", n)});
-    SurfaceGrid grid{shot.skin->nodes, shot.skin->triangles, {}, {}, shot.skin->displacement};
-    grid.point_fields = {{"contact_pressure", shot.skin->pressure}, {"coverage", shot.skin->coverage}};
-    write_surface(grid, folder / skins.back().file);
+    Grid grid = surface_grid(shot.skin->nodes, shot.skin->triangles);
+    if (!shot.skin->displacement.empty()) grid.fields.set(field::displacement, shot.skin->displacement);
+    grid.fields.set(field::contact_pressure, shot.skin->pressure);
+    grid.fields.set(field::coverage, shot.skin->coverage);
+    write_grid(grid, folder / skins.back().file);
   }
   if (shot.garment) {
     garments.push_back({time, fmt::format("garment_{:04}.vtu", n)});
-    SurfaceGrid grid{shot.garment->nodes, shot.garment->triangles, {}, {}, {}};
-    grid.point_fields = {{"contact_pressure", shot.garment->pressure}};
-    grid.cell_fields = {{"tension_warp", shot.garment->tension_warp}, {"tension_weft", shot.garment->tension_weft}};
-    write_surface(grid, folder / garments.back().file);
+    Grid grid = surface_grid(shot.garment->nodes, shot.garment->triangles);
+    grid.fields.set(field::contact_pressure, shot.garment->pressure);
+    grid.fields.set(field::tension_warp, shot.garment->tension_warp);
+    grid.fields.set(field::tension_weft, shot.garment->tension_weft);
+    write_grid(grid, folder / garments.back().file);
   }
 }
 
 }  // namespace
 
 Film make_film(const fs::path& out, const fs::path& folder, const FilmSettings& settings) {
-  const std::vector<GridStep> body = read_series(out / "body.pvd"), garment = read_series(out / "garment.pvd");
+  const std::vector<GridStep> body = read_series(out / body_series_file), garment = read_series(out / garment_series_file);
   const std::vector<GridStep>& listed = body.empty() ? garment : body;
   if (listed.size() < 2 || (!body.empty() && !garment.empty() && body.size() != garment.size()))
     throw input::InputError({out.string(), 0, 0}, fmt::format("{} state of the load path is kept here", listed.size()),

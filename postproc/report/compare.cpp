@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr double map_width = 520.0;  // px
 
-using Runs = std::vector<RunFiles>;
+using Runs = std::vector<ShownRun>;
 
 /// Change against the first run, "+3.1 %".
 std::string difference(double value, double first) {
@@ -64,7 +64,7 @@ Json figures_view(const Runs& runs) {
   };
   Json rows = Json::array();
   for (const Figure& figure : figures) {
-    const auto value = [&](const RunFiles& run) {
+    const auto value = [&](const ShownRun& run) {
       const Json* from = &run.summary;
       if (*figure.group) {
         const auto it = from->find(figure.group);
@@ -73,13 +73,13 @@ Json figures_view(const Runs& runs) {
       }
       return value_at(*from, figure.key);
     };
-    if (std::any_of(runs.begin(), runs.end(), [&](const RunFiles& run) { return std::isfinite(value(run)); }))
+    if (std::any_of(runs.begin(), runs.end(), [&](const ShownRun& run) { return std::isfinite(value(run)); }))
       rows.push_back(row_of(figure.name, figure.unit, runs, figure.factor, value));
   }
   return rows;
 }
 
-const Json* location_row(const RunFiles& run, const std::string& name) {
+const Json* location_row(const ShownRun& run, const std::string& name) {
   const auto it = run.summary.find("locations");
   if (it == run.summary.end()) return nullptr;
   for (const Json& row : *it)
@@ -89,14 +89,14 @@ const Json* location_row(const RunFiles& run, const std::string& name) {
 
 Json locations_rows(const Runs& runs) {
   std::vector<std::string> names;
-  for (const RunFiles& run : runs)
+  for (const ShownRun& run : runs)
     for (const Json& row : run.summary.value("locations", Json::array()))
       if (const std::string name = row.value("location", "");
           std::find(names.begin(), names.end(), name) == names.end())
         names.push_back(name);
   Json rows = Json::array();
   for (const std::string& name : names) {
-    Json row = row_of(name, "", runs, 1.0, [&](const RunFiles& run) {
+    Json row = row_of(name, "", runs, 1.0, [&](const ShownRun& run) {
       const Json* found = location_row(run, name);
       return found ? value_at(*found, "mean_pressure_Pa") : std::nan("");
     });
@@ -156,18 +156,18 @@ Json settings_rows(const Runs& runs) {
 /// Runs that are called the same get a number.
 void make_names_distinct(Runs& runs) {
   std::map<std::string, int> count, seen;
-  for (const RunFiles& run : runs) ++count[run.name];
-  for (RunFiles& run : runs)
+  for (const ShownRun& run : runs) ++count[run.name];
+  for (ShownRun& run : runs)
     if (count[run.name] > 1) run.name += fmt::format(" ({})", ++seen[run.name]);
 }
 
 Json maps_view(const Runs& runs) {
   std::vector<const Skin*> skins;
-  for (const RunFiles& run : runs)
+  for (const ShownRun& run : runs)
     if (run.skin) skins.push_back(&*run.skin);
   const PressureScale scale = pressure_scale(skins);
   Json maps = Json::array();
-  for (const RunFiles& run : runs) {
+  for (const ShownRun& run : runs) {
     Json map = map_view(run, scale, map_width);
     if (map.is_null()) continue;
     map["id"] = fmt::format("map-{}", maps.size());
@@ -181,12 +181,12 @@ Json maps_view(const Runs& runs) {
 
 std::string comparison_page(const std::vector<fs::path>& outs) try {
   Runs runs;
-  for (const fs::path& out : outs) runs.push_back(read_run(out));
+  for (const fs::path& out : outs) runs.push_back(read_shown(out));
   make_names_distinct(runs);
   Json view = {{"count", std::to_string(runs.size())}, {"first", runs.front().name}, {"style", style()}};
   Json names = Json::array(), comforts = Json::array(), warnings = Json::array();
   std::string title;
-  for (const RunFiles& run : runs) {
+  for (const ShownRun& run : runs) {
     title += (title.empty() ? "" : " · ") + run.name;
     names.push_back({{"name", run.name}});
     if (run.summary.value("status", "") != "converged")

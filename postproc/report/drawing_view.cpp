@@ -36,7 +36,7 @@ Json bar_view(const PressureScale& scale, double height, double over) {
 }
 
 /// Mean pressure of a location as the table has it.
-std::string mean_of(const RunFiles& run, const std::string& location, const PressureScale& scale) {
+std::string mean_of(const ShownRun& run, const std::string& location, const PressureScale& scale) {
   for (const Json& row : run.summary.value("locations", Json::array()))
     if (row.value("location", "") == location)
       return number(value_at(row, "mean_pressure_Pa") / scale.factor) + " " + scale.unit;
@@ -44,14 +44,14 @@ std::string mean_of(const RunFiles& run, const std::string& location, const Pres
 }
 
 /// The largest pressure as the figures have it: beside hems it may stand between nodes.
-double largest_told(const RunFiles& run) {
+double largest_told(const ShownRun& run) {
   const double told = value_at(run.summary.value("numbers", Json::object()), "max_contact_pressure_Pa");
   return std::isfinite(told) ? told : largest(*run.skin);
 }
 
 }  // namespace
 
-Json map_view(const RunFiles& run, const PressureScale& scale, double width) {
+Json map_view(const ShownRun& run, const PressureScale& scale, double width) {
   if (!run.skin) return nullptr;
   const UnrolledMap map = unroll(*run.skin, scale, width);
   Json bands = Json::array(), patches = Json::array();
@@ -89,11 +89,11 @@ Json map_view(const RunFiles& run, const PressureScale& scale, double width) {
 }
 
 // Residual and complementarity over all iterations, logarithmic; a line an increment, so that each step's fall is seen.
-Json convergence_view(const RunFiles& run, double width) {
+Json convergence_view(const ShownRun& run, double width) {
   if (run.history.size() < 2) return nullptr;
   constexpr double height = 240.0, lowest = 1e-18;
   double low = 1e300, high = lowest;
-  for (const HistoryRow& row : run.history)
+  for (const Iteration& row : run.history)
     if (row.residual > lowest) low = std::min(low, row.residual), high = std::max(high, row.residual);
   if (!(high > low)) return nullptr;
   const double bottom = std::floor(std::log10(low)), top = std::ceil(std::log10(high) + 1e-9);
@@ -108,7 +108,7 @@ Json convergence_view(const RunFiles& run, double width) {
   };
   std::string path;
   for (std::size_t n = 0; n < run.history.size(); ++n) {
-    const HistoryRow& row = run.history[n];
+    const Iteration& row = run.history[n];
     const bool begins = n == 0 || row.increment != run.history[n - 1].increment;
     if (begins) close(path);
     const std::string x = pixels(across * static_cast<double>(n));

@@ -11,11 +11,7 @@ namespace {
 
 constexpr double drawing_width = 760.0;  // px of the drawings without their labels
 
-}  // namespace
-
-namespace {
-
-std::string page_of(const RunFiles& run, const Pictures& pictures) {
+std::string page_of(const ShownRun& run, const Pictures& pictures) {
   const PressureScale scale = run.skin ? pressure_scale({&*run.skin}) : PressureScale{};
   Json view = run_view(run);
   view["locations"] = locations_view(run);
@@ -36,8 +32,10 @@ std::string page_of(const RunFiles& run, const Pictures& pictures) {
 
 }  // namespace
 
+std::string page(const StoredRun& run, const Pictures& pictures) { return page_of(shown(run), pictures); }
+
 std::string page(const std::filesystem::path& out, const Pictures& pictures) {
-  const RunFiles run = read_run(out);
+  const ShownRun run = read_shown(out);
   try {
     return page_of(run, pictures);
   } catch (const Json::exception& error) {

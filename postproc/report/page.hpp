@@ -5,6 +5,10 @@
 #include <string>
 #include <vector>
 
+namespace snug::postproc {
+struct StoredRun;
+}
+
 namespace snug::postproc::report {
 
 /// Pictures of the run in three dimensions, drawn by another program.
@@ -12,6 +16,9 @@ struct Pictures {
   std::string png;      ///< the bytes of the image; empty: none
   std::string missing;  ///< why there are none, and the remedy
 };
+
+/// The page about a run that stands in memory, or was read (store.hpp).
+std::string page(const StoredRun& run, const Pictures& pictures);
 
 /// The page about the results in `out`, without any request to elsewhere. Throws input::InputError when `out` holds no
 /// result of a run.

@@ -133,6 +133,30 @@ Json donning_view(const Json& summary) {
 }
 
 /// A list and whether there is anything in it.
+/// Largest amount of a field's entries that are numbers.
+double largest_of(const NamedField& field) {
+  double largest = 0.0;
+  for (std::size_t n = 0; n < field.size(); ++n) {
+    double squared = 0.0;
+    for (std::size_t c = 0; c < std::max<std::size_t>(1, field.components.size()); ++c) squared += field.at(n, c) * field.at(n, c);
+    if (std::isfinite(squared)) largest = std::max(largest, std::sqrt(squared));
+  }
+  return largest;
+}
+
+/// Fields that terms have published and the page does not know otherwise.
+Json fields_view(const ShownRun& run) {
+  Json rows = Json::array();
+  for (const Json& entry : run.summary.value("fields", Json::array())) {
+    const std::string name = entry.value("name", ""), part = entry.value("part", "");
+    const std::optional<Grid>& grid = part == "body" ? run.body_grid : run.garment_grid;
+    const NamedField* field = grid ? grid->fields.find(std::string_view(name)) : nullptr;
+    rows.push_back({{"name", name}, {"part", part}, {"unit", entry.value("unit", "")}, {"description", entry.value("description", "")},
+                    {"largest", field ? number(largest_of(*field)) : "–"}});
+  }
+  return rows;
+}
+
 void put_list(Json& view, const std::string& name, const Json& rows) {
   view[name] = rows;
   view["has_" + name] = !rows.empty();
@@ -205,7 +229,7 @@ double value_at(const Json& json, const char* key) {
   return it != json.end() && it->is_number() ? it->get<double>() : std::nan("");
 }
 
-Json run_view(const RunFiles& run) {
+Json run_view(const ShownRun& run) {
   const Json& summary = run.summary;
   const Json plan = summary.value("plan", Json::object());
   Json view = {{"title", summary.value("title", run.name)},
@@ -229,6 +253,7 @@ Json run_view(const RunFiles& run) {
   put_list(view, "warnings", warnings_view(summary));
   put_list(view, "remedies", texts_view(summary.value("what_to_try", Json::array())));
   put_list(view, "assumptions", texts_view(summary.value("assumptions", Json::array())));
+  put_list(view, "fields", fields_view(run));
   view["phases"] = phases_view(summary);
   view["parts_in"] = parts_view(plan.value("in", Json::array()));
   view["parts_out"] = parts_view(plan.value("out", Json::array()));

@@ -40,7 +40,7 @@ std::string corners(const std::vector<Triangle>& triangles) {
 
 }  // namespace
 
-std::string scene_json(const RunFiles& run, const PressureScale& scale) {
+std::string scene_json(const ShownRun& run, const PressureScale& scale) {
   Json json = {{"colours", colour_stops()}, {"top", scale.top}, {"unit", scale.unit}, {"factor", scale.factor}};
   if (run.skin)
     json["skin"] = {{"numbers", integers(run.skin->numbers)},          {"nodes", vectors(run.skin->nodes)},

@@ -1,16 +1,12 @@
 #include "postproc/report/surfaces.hpp"
 
 #include <vtkCell.h>
-#include <vtkCellData.h>
-#include <vtkFieldData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <numeric>
 #include <stdexcept>
 
-#include "cases/input/csv.hpp"
+#include "postproc/store.hpp"
 #include "postproc/vtu_file.hpp"
 
 namespace snug::postproc::report {
@@ -19,26 +15,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Component c of every entry of a field; `entries` zeros where the file does not have it.
-std::vector<double> field(vtkFieldData& data, const char* name, vtkIdType entries, int component = 0) {
-  std::vector<double> values(static_cast<std::size_t>(entries), 0.0);
-  if (vtkDataArray* array = data.GetArray(name))
-    if (component < array->GetNumberOfComponents())
-      for (vtkIdType n = 0; n < entries; ++n) values[n] = array->GetComponent(n, component);
-  return values;
-}
-
-std::vector<Eigen::Vector3d> vectors(vtkFieldData& data, const char* name, vtkIdType entries) {
-  const auto x = field(data, name, entries, 0), y = field(data, name, entries, 1), z = field(data, name, entries, 2);
-  std::vector<Eigen::Vector3d> result;
-  for (std::size_t n = 0; n < x.size(); ++n) result.emplace_back(x[n], y[n], z[n]);
-  return result;
-}
-
-std::vector<Eigen::Vector3d> points(vtkUnstructuredGrid& grid) {
-  std::vector<Eigen::Vector3d> result;
-  for (vtkIdType n = 0; n < grid.GetNumberOfPoints(); ++n) result.emplace_back(grid.GetPoint(n));
-  return result;
+/// The values of a field; `entries` zeros where the file does not have it.
+template <class Value>
+std::vector<Value> values_of(const Grid& grid, const FieldName<Value>& name, std::size_t entries, const Value& zero) {
+  const std::vector<Value>* values = grid.fields.find(name);
+  return values && values->size() == entries ? *values : std::vector<Value>(entries, zero);
 }
 
 /// Plane triangles of a facet with VTK's order of nodes: corners, then edges, then the middle.
@@ -68,81 +49,75 @@ bool all_on_skin(vtkCell& facet, const std::vector<int>& local) {
   return true;
 }
 
-/// The column `node`, every number one of the grid's.
-std::vector<int> skin_numbers(const fs::path& file, vtkIdType count) {
-  input::Diagnostics diagnostics;
-  const input::Csv csv = input::read_csv(file, diagnostics);
-  const std::vector<double> numbers = input::numbers(csv, "node", "", diagnostics);
-  for (std::size_t r = 0; r < numbers.size(); ++r)
-    if (!(numbers[r] >= 1.0 && numbers[r] <= static_cast<double>(count)))
-      diagnostics.error({file.string(), csv.rows[r].line, 1}, "node " + csv.rows[r].cells[csv.find("node")] + " is none of the grid's " + std::to_string(count),
-                        "run the case again");
-  diagnostics.throw_if_any();
-  return {numbers.begin(), numbers.end()};
-}
-
-std::vector<std::string> names(vtkFieldData& data, const char* name) {
-  std::vector<std::string> result;
-  if (auto* array = vtkStringArray::SafeDownCast(data.GetAbstractArray(name)))
-    for (vtkIdType n = 0; n < array->GetNumberOfValues(); ++n) result.push_back(array->GetValue(n));
-  return result;
-}
-
 template <class Value>
-std::vector<Value> chosen(const std::vector<Value>& all, const std::vector<int>& numbers) {
+std::vector<Value> chosen(const std::vector<Value>& all, const std::vector<int>& nodes) {
   std::vector<Value> result;
-  for (const int number : numbers) result.push_back(all.at(number - 1));
+  for (const int node : nodes) result.push_back(all.at(node));
   return result;
 }
+
+/// The skin's cells: faces of cells all of whose nodes are on it, or surface cells.
+std::vector<Triangle> skin_triangles(const Grid& grid, const std::vector<int>& local) {
+  const auto cells = cells_to_vtk(grid);
+  std::vector<Triangle> triangles;
+  for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c) {
+    vtkCell& cell = *cells->GetCell(c);
+    if (cell.GetCellDimension() == 2) add_facet(cell, local, triangles);
+    for (int f = 0; f < cell.GetNumberOfFaces(); ++f)
+      if (all_on_skin(*cell.GetFace(f), local)) add_facet(*cell.GetFace(f), local, triangles);
+  }
+  return triangles;
+}
+
+/// Location of a node; -1 where it is none of the names.
+int known(int location, std::size_t names) { return location >= 0 && location < static_cast<int>(names) ? location : -1; }
 
 }  // namespace
 
-Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
-  const auto grid = read_vtu(vtu);
-  const vtkIdType count = grid->GetNumberOfPoints();
-  vtkPointData& data = *grid->GetPointData();
+Skin skin_of(const Grid& grid, const std::vector<int>& nodes) {
+  const std::size_t count = grid.points.size();
+  std::vector<int> local(count, -1);
+  for (std::size_t n = 0; n < nodes.size(); ++n) local.at(nodes[n]) = static_cast<int>(n);
   Skin skin;
-  skin.numbers = skin_numbers(skin_csv, count);
-  std::vector<int> local(static_cast<std::size_t>(count), -1);
-  for (std::size_t n = 0; n < skin.numbers.size(); ++n) local.at(skin.numbers[n] - 1) = static_cast<int>(n);
-  skin.nodes = chosen(points(*grid), skin.numbers);
-  skin.displacement = chosen(vectors(data, "displacement", count), skin.numbers);
-  skin.pressure = chosen(field(data, "contact_pressure", count), skin.numbers);
-  if (data.GetArray("pressure_inside")) skin.beside = chosen(field(data, "pressure_inside", count), skin.numbers);
-  skin.coverage = chosen(field(data, "coverage", count), skin.numbers);
-  skin.locations = names(*grid->GetFieldData(), "location_names");
-  const auto location = field(data, "location", count);
-  const auto known = [&](double l) { return l >= 0.0 && l < static_cast<double>(skin.locations.size()); };
-  for (const int number : skin.numbers)
-    skin.location.push_back(known(location[number - 1]) ? static_cast<int>(location[number - 1]) : -1);
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c) {
-    vtkCell& cell = *grid->GetCell(c);
-    if (cell.GetCellDimension() == 2) add_facet(cell, local, skin.triangles);
-    for (int f = 0; f < cell.GetNumberOfFaces(); ++f)
-      if (all_on_skin(*cell.GetFace(f), local)) add_facet(*cell.GetFace(f), local, skin.triangles);
-  }
+  const std::vector<int>* given = grid.fields.find(field::node_number);
+  for (const int node : nodes) skin.numbers.push_back(given ? (*given)[node] : node + 1);
+  skin.nodes = chosen(grid.points, nodes);
+  skin.displacement = chosen(values_of<Eigen::Vector3d>(grid, field::displacement, count, Eigen::Vector3d::Zero()), nodes);
+  skin.pressure = chosen(values_of(grid, field::contact_pressure, count, 0.0), nodes);
+  if (grid.fields.has(field::pressure_inside)) skin.beside = chosen(values_of(grid, field::pressure_inside, count, 0.0), nodes);
+  skin.coverage = chosen(values_of(grid, field::coverage, count, 0.0), nodes);
+  if (const auto* names = grid.find_names("location_names")) skin.locations = *names;
+  for (const int location : chosen(values_of(grid, field::location, count, 0), nodes))
+    skin.location.push_back(known(location, skin.locations.size()));
+  skin.triangles = skin_triangles(grid, local);
   return skin;
 }
 
-Garment read_garment(const fs::path& vtu) {
-  const auto grid = read_vtu(vtu);
-  const vtkIdType count = grid->GetNumberOfPoints(), cells = grid->GetNumberOfCells();
+Skin read_skin(const fs::path& vtu, const fs::path& skin_csv) {
+  const Grid grid = read_grid(vtu);
+  return skin_of(grid, read_skin_nodes(skin_csv, grid));
+}
+
+Garment garment_of(const Grid& grid) {
+  const std::size_t count = grid.points.size(), cells = grid.cells();
   Garment garment;
-  garment.nodes = points(*grid);
-  garment.displacement = vectors(*grid->GetPointData(), "displacement", count);
-  garment.pressure = field(*grid->GetPointData(), "contact_pressure", count);
-  std::vector<int> same(static_cast<std::size_t>(count));
-  for (std::size_t n = 0; n < same.size(); ++n) same[n] = static_cast<int>(n);
-  const auto warp = field(*grid->GetCellData(), "tension_warp", cells),
-             weft = field(*grid->GetCellData(), "tension_weft", cells),
-             wrinkled = field(*grid->GetCellData(), "wrinkled", cells);
-  for (vtkIdType c = 0; c < cells; ++c) {
-    add_facet(*grid->GetCell(c), same, garment.triangles);
+  garment.nodes = grid.points;
+  garment.displacement = values_of<Eigen::Vector3d>(grid, field::displacement, count, Eigen::Vector3d::Zero());
+  garment.pressure = values_of(grid, field::contact_pressure, count, 0.0);
+  std::vector<int> same(count);
+  std::iota(same.begin(), same.end(), 0);
+  const auto warp = values_of(grid, field::tension_warp, cells, 0.0), weft = values_of(grid, field::tension_weft, cells, 0.0),
+             wrinkled = values_of(grid, field::wrinkled, cells, 0.0);
+  const auto vtk = cells_to_vtk(grid);
+  for (std::size_t c = 0; c < cells; ++c) {
+    add_facet(*vtk->GetCell(static_cast<vtkIdType>(c)), same, garment.triangles);
     garment.tension_warp.resize(garment.triangles.size(), warp[c]);
     garment.tension_weft.resize(garment.triangles.size(), weft[c]);
     garment.wrinkled.resize(garment.triangles.size(), wrinkled[c]);
   }
   return garment;
 }
+
+Garment read_garment(const fs::path& vtu) { return garment_of(read_grid(vtu)); }
 
 }  // namespace snug::postproc::report

@@ -1,4 +1,4 @@
-// Skin and garment of a result as triangles, read back from the files for ParaView.
+// Skin and garment of a result as triangles, from its grids.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,6 +7,10 @@
 #include <filesystem>
 #include <string>
 #include <vector>
+
+namespace snug::postproc {
+struct Grid;
+}
 
 namespace snug::postproc::report {
 
@@ -30,6 +34,10 @@ struct Garment {
   std::vector<Triangle> triangles;
   std::vector<double> tension_warp, tension_weft, wrinkled;  ///< N/m; 0 taut, 1 wrinkled, 2 slack; a triangle
 };
+
+/// The skin of a body's grid: its `nodes`, and the facets all of whose nodes are among them.
+Skin skin_of(const Grid& grid, const std::vector<int>& nodes);
+Garment garment_of(const Grid& grid);
 
 /// Facets of the body all of whose nodes are rows of skin.csv. Throws std::runtime_error naming the file that cannot
 /// be read, input::InputError for a wrong skin.csv.

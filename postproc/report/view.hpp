@@ -1,28 +1,28 @@
 // What the templates of the pages are filled with: texts and numbers as shown, paths of the drawings.
 #pragma once
 
-#include "postproc/report/run_files.hpp"
+#include "postproc/report/shown_run.hpp"
 #include "postproc/report/scale.hpp"
 
 namespace snug::postproc::report {
 
 /// Title, status, key figures, plan, balance, time and memory, provenance of a run.
-Json run_view(const RunFiles& run);
+Json run_view(const ShownRun& run);
 
 /// Rows of the location table; empty without locations.
-Json locations_view(const RunFiles& run);
+Json locations_view(const ShownRun& run);
 
 /// Gauge, memberships and rules; null without comfort.
-Json comfort_view(const RunFiles& run);
+Json comfort_view(const ShownRun& run);
 
 /// The unrolled pressure map with its colour bar, `width` pixels wide; null without a skin.
-Json map_view(const RunFiles& run, const PressureScale& scale, double width);
+Json map_view(const ShownRun& run, const PressureScale& scale, double width);
 
 /// Residuals over the iterations; null without a history.
-Json convergence_view(const RunFiles& run, double width);
+Json convergence_view(const ShownRun& run, double width);
 
 /// Surfaces for the three-dimensional view, as JSON in which arrays are little-endian 32-bit values in base64.
-std::string scene_json(const RunFiles& run, const PressureScale& scale);
+std::string scene_json(const ShownRun& run, const PressureScale& scale);
 
 /// The number at `key`, NaN where there is none.
 double value_at(const Json& json, const char* key);

@@ -115,7 +115,7 @@ Json terms_view(const Json& comfort) {
 
 }  // namespace
 
-Json locations_view(const RunFiles& run) {
+Json locations_view(const ShownRun& run) {
   Json rows = Json::array();
   for (const Json& row : run.summary.value("locations", Json::array())) {
     const auto shown = [&](const char* key, double factor = 1.0) { return number(factor * value_at(row, key)); };
@@ -141,7 +141,7 @@ Json locations_view(const RunFiles& run) {
   return rows;
 }
 
-Json comfort_view(const RunFiles& run) {
+Json comfort_view(const ShownRun& run) {
   const Json& comfort = run.comfort;
   const double score = comfort.is_object() ? value_at(comfort, "score") : std::nan("");
   if (!std::isfinite(score)) return nullptr;

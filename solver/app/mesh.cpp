@@ -22,10 +22,11 @@ postproc::GarmentResult as_placed(const std::vector<mesh::GarmentMesh>& meshes) 
   postproc::GarmentResult garment;
   for (const mesh::GarmentMesh& mesh : meshes) solver::append(mesh, garment);
   garment.current = garment.placed;
-  const std::vector<double> zeros(garment.triangles.size(), 0.0), ones(garment.triangles.size(), 1.0);
-  garment.tension_warp = garment.tension_weft = garment.shear = garment.wrinkled = zeros;
-  garment.stretch_warp = garment.stretch_weft = ones;
-  garment.contact_pressure.assign(garment.placed.size(), 0.0);
+  namespace field = postproc::field;
+  const std::vector<double> zeros(garment.triangles.size(), 0.0);
+  for (const auto& name : {field::tension_warp, field::tension_weft, field::shear, field::wrinkled}) garment.fields.set(name, zeros);
+  garment.fields.set(field::stretch, std::vector<Eigen::Vector2d>(zeros.size(), Eigen::Vector2d::Ones()));
+  garment.fields.set(field::contact_pressure, std::vector<double>(garment.placed.size(), 0.0));
   return garment;
 }
 

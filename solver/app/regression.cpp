@@ -68,14 +68,15 @@ std::vector<ReferenceTable> read_references(const input::Case& description) {
   return tables;
 }
 
-std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>& references, const fs::path& folder,
+std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>& references, postproc::StoredRun& run, const fs::path& folder,
                                                const fs::path& shown_as) {
   std::vector<postproc::Comparison> comparisons;
   if (references.empty()) return comparisons;
+  if (!run.body_grid)
+    throw input::InputError({shown_as.string(), 0, 0}, "the result has no body to compare with [reference]", "leave [reference] out");
   std::string text;
   for (const ReferenceTable& reference : references) {
-    postproc::NodalField result = postproc::read_field(folder, {.surface = reference.surface, .nodes = {}});
-    result.name = shown_as.string();
+    const postproc::NodalField result = postproc::nodal_field(*run.body_grid, shown_as.string(), reference.surface);
     const postproc::Comparison& comparison =
         comparisons.emplace_back(postproc::compare(result, reference.field, reference.options));
     text += postproc::comparison_text(comparison) + '\n';
@@ -83,6 +84,7 @@ std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>
       postproc::write_columns(comparison.difference, folder / ("difference_" + reference.quantity + ".vtu"));
   }
   input::write_file(folder / "comparison.txt", text);
+  run.comparison = text;
   return comparisons;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cases/input/case.hpp"
 #include "postproc/comparison.hpp"
+#include "postproc/store.hpp"
 
 namespace snug::app {
 
@@ -21,11 +22,10 @@ struct ReferenceTable {
 /// Reads the tables of [reference]; none when the case has no such section. Throws input::InputError.
 std::vector<ReferenceTable> read_references(const input::Case& description);
 
-/// Compares the results in `folder` with every table. Leaves comparison.txt and difference_<quantity>.vtu (where
-/// coordinates are known) in `folder`; messages name it as `shown_as`. Throws input::InputError.
-std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>& references,
-                                               const std::filesystem::path& folder,
-                                               const std::filesystem::path& shown_as);
+/// Compares a result with every table. Leaves comparison.txt and difference_<quantity>.vtu (where coordinates are known) in
+/// `folder` and the text in `run.comparison`; messages name the result as `shown_as`. Throws input::InputError.
+std::vector<postproc::Comparison> compare_with(const std::vector<ReferenceTable>& references, postproc::StoredRun& run,
+                                               const std::filesystem::path& folder, const std::filesystem::path& shown_as);
 
 /// One line a column.
 std::string verdict_text(const std::vector<postproc::Comparison>& comparisons);

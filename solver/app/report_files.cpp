@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cases/input/files.hpp"
+#include "postproc/store.hpp"
 #include "solver/app/data_directory.hpp"
 #include "solver/app/result_list.hpp"
 #include "solver/app/study/child_process.hpp"
@@ -23,6 +24,10 @@ void write_page(const std::string& page, const fs::path& file) {
 
 void write_report(const fs::path& out, const postproc::report::Pictures& pictures) {
   write_page(postproc::report::page(out, pictures), out / "report.html");
+}
+
+void write_report(const postproc::StoredRun& run, const fs::path& out, const postproc::report::Pictures& pictures) {
+  write_page(postproc::report::page(run, pictures), out / "report.html");
 }
 
 postproc::report::Pictures draw_pictures(const fs::path& out) {

@@ -11,6 +11,9 @@ namespace snug::app {
 /// Writes report.html into `out`, aside and renamed. Throws input::InputError when `out` holds no results.
 void write_report(const std::filesystem::path& out, const postproc::report::Pictures& pictures);
 
+/// The same of a run that stands in memory: nothing is read.
+void write_report(const postproc::StoredRun& run, const std::filesystem::path& out, const postproc::report::Pictures& pictures);
+
 /// Writes a page, aside and renamed. Throws std::runtime_error when it cannot be written, and
 /// input::InputError when it lies among results and is not snug's.
 void write_page(const std::string& page, const std::filesystem::path& file);

@@ -12,6 +12,7 @@
 #include "cases/input/echo.hpp"
 #include "cases/input/files.hpp"
 #include "postproc/recorders.hpp"
+#include "postproc/store.hpp"
 #include "solver/algebra/communicator.hpp"
 #include "solver/app/checkpoint.hpp"
 #include "solver/app/cleaner.hpp"
@@ -55,10 +56,14 @@ void warn_of_slow_blas() {
                "scripts/setup installs OpenBLAS (libopenblas0-pthread)\n");
 }
 
-void write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
-               OutputDirectory& out) {
-  postproc::write_results(run, evaluation, out.aside(), provenance_of(prepared));
-  input::write_file(out.aside() / "case.echo.toml", solver::echo_text(prepared.model));
+/// Writes the results and gives what was written.
+postproc::StoredRun write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
+                              OutputDirectory& out) {
+  postproc::StoredRun stored = postproc::stored_run(run, evaluation, provenance_of(prepared), out.target());
+  postproc::write_results(run, evaluation, stored, out.aside());
+  stored.echo = solver::echo_text(prepared.model);
+  input::write_file(out.aside() / "case.echo.toml", stored.echo);
+  return stored;
 }
 
 /// The files of any run; what is there under one of these names and is not snug's is said before the solve.
@@ -218,10 +223,10 @@ class Run : public Command {
     const auto evaluation = nothing
                                 ? postproc::Evaluation{}
                                 : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
-    write_all(run, evaluation, prepared, out);
+    postproc::StoredRun stored = write_all(run, evaluation, prepared, out);
     states.list(out.aside());
-    const int regression = nothing ? done : regress(references, out);
-    if (!no_report_) report(out);
+    const int regression = nothing ? done : regress(references, stored, out);
+    if (!no_report_) report(stored, out);
     out.commit();
     if (!gave_up_) checkpoint.remove();
     say(final_text(run, evaluation, out.target()) + verdict_);
@@ -248,21 +253,21 @@ class Run : public Command {
   }
 
   /// A page that cannot be made does not cost the results.
-  void report(OutputDirectory& out) const {
+  void report(const postproc::StoredRun& stored, OutputDirectory& out) const {
     try {
-      write_report(out.aside(), pictures_
-                                    ? draw_pictures(out.aside())
-                                    : postproc::report::Pictures{{}, "`snug report` draws them in a few seconds."});
+      write_report(stored, out.aside(), pictures_
+                                            ? draw_pictures(out.aside())
+                                            : postproc::report::Pictures{{}, "`snug report` draws them in a few seconds."});
     } catch (const std::exception& error) {
       fmt::print(stderr, "snug: warning: report.html is missing: {}\n", error.what());
     }
   }
 
   /// Status of the comparison with the case's own tables. What is wrong with it does not cost the results.
-  int regress(const std::vector<ReferenceTable>& references, OutputDirectory& out) {
+  int regress(const std::vector<ReferenceTable>& references, postproc::StoredRun& stored, OutputDirectory& out) {
     verdict_.clear();
     try {
-      const auto comparisons = compare_with(references, out.aside(), out.target());
+      const auto comparisons = compare_with(references, stored, out.aside(), out.target());
       verdict_ = verdict_text(comparisons);
       const bool within = std::all_of(comparisons.begin(), comparisons.end(), [](const auto& c) { return c.within(); });
       if (!within && quiet_) fmt::print(stderr, "{}", verdict_);

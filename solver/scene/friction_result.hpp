@@ -8,10 +8,10 @@
 
 namespace snug::solver {
 
-/// Adds the friction of one garment to its samples, to the balance, and as the fields `shear_traction` and `slip` of the garment,
-/// whose nodes begin at `first` in the result.
+/// Adds the friction of one garment to its samples, to the balance, and as `shear_traction` and `slip` to the garment's fields, which
+/// have its `contact_pressure`.
 void add_friction(const Friction& friction, const Contact& contact, const State& state, bool deformable, const mesh::GarmentMesh& garment,
-                  int first, std::vector<postproc::ContactSample>& samples, postproc::RunResult& result);
+                  postproc::Fields& fields, std::vector<postproc::ContactSample>& samples, postproc::Balance& balance);
 
 /// The same fields of the skin, of all garments together; `normal` is its pressure from the same samples.
 void fill_skin_friction(const postproc::SkinPressure& normal, postproc::RunResult& result);

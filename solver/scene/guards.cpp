@@ -53,7 +53,8 @@ double natural_stretch(const materials::TensionCurve& along, double coupling, do
 
 class Guards {
  public:
-  Guards(const Model& model, const Meshes& meshes, RunResult& result) : model_(model), meshes_(meshes), result_(result) {
+  Guards(const Model& model, const Meshes& meshes, RunResult& result)
+      : model_(model), meshes_(meshes), result_(result), stretch_(result.garment.fields[postproc::field::stretch]) {
     const auto& garment = result.garment;
     for (std::size_t g = 0; g < garment.parts.size(); ++g)
       for (int i = garment.parts[g].first_triangle; i < garment.parts[g].end_triangle; ++i) {
@@ -119,13 +120,12 @@ class Guards {
   }
 
   void look_at_data() {
-    const auto& garment = result_.garment;
     const auto strain_over_end = [&](std::size_t t) {
       const materials::Fabric& fabric = *pieces_[t].fabric;
-      return std::max((garment.stretch_warp[t] - 1.0) / (stretch_of(fabric.warp.data_end()) - 1.0),
-                      (garment.stretch_weft[t] - 1.0) / (stretch_of(fabric.weft.data_end()) - 1.0));
+      return std::max((stretch_[t].x() - 1.0) / (stretch_of(fabric.warp.data_end()) - 1.0),
+                      (stretch_[t].y() - 1.0) / (stretch_of(fabric.weft.data_end()) - 1.0));
     };
-    const auto strain = [&](std::size_t t) { return std::max(garment.stretch_warp[t], garment.stretch_weft[t]) - 1.0; };
+    const auto strain = [&](std::size_t t) { return stretch_[t].maxCoeff() - 1.0; };
     const auto beyond = [&](std::size_t t) { return strain_over_end(t) > beyond_end; };
     double largest = 0.0;
     for (std::size_t t = 0; t < pieces_.size(); ++t) largest = std::max(largest, strain(t));
@@ -151,7 +151,7 @@ class Guards {
 
   /// 1 - stretch over that of taut cloth, in the direction in which it is largest.
   double gathering(std::size_t t) const {
-    const double warp = result_.garment.stretch_warp[t], weft = result_.garment.stretch_weft[t];
+    const double warp = stretch_[t].x(), weft = stretch_[t].y();
     const materials::Fabric& fabric = *pieces_[t].fabric;
     return std::max({0.0, 1.0 - warp / natural_stretch(fabric.warp, fabric.coupling, weft),
                      1.0 - weft / natural_stretch(fabric.weft, fabric.coupling, warp)});
@@ -162,7 +162,8 @@ class Guards {
     const auto folded = [&](std::size_t t) { return gathering(t) > visible_fold; };
     double& largest = number("largest_gathering") = 0.0;
     for (std::size_t t = 0; t < pieces_.size(); ++t) largest = std::max(largest, gathering(t));
-    number("slack_share") = share([&](std::size_t t) { return result_.garment.wrinkled[t] == 2.0; });
+    const std::vector<double>& wrinkled = result_.garment.fields[postproc::field::wrinkled];
+    number("slack_share") = share([&](std::size_t t) { return wrinkled[t] == 2.0; });
     const double found = number("gathered_share") = share(folded);
     if (found <= worth_a_word) return;
     warn({.name = "gathered cloth",
@@ -216,9 +217,10 @@ class Guards {
   }
 
   std::string place_off() const {
+    const std::vector<double>& pressure = result_.garment.fields[postproc::field::contact_pressure];
     const auto bare = [&](std::size_t t) {
       const auto& nodes = result_.garment.triangles[t];
-      return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return result_.garment.contact_pressure[n] <= 0.0; });
+      return std::all_of(nodes.begin(), nodes.end(), [&](int n) { return pressure[n] <= 0.0; });
     };
     return place(bare, [&](std::size_t t) { return bare(t) ? 1.0 : 0.0; });
   }
@@ -256,10 +258,12 @@ class Guards {
   double give() const {
     double inward = 0.0, radius = 0.0;
     const auto& body = result_.body;
+    const auto& coverage = body.fields[postproc::field::coverage];
+    const auto& displacement = body.fields[postproc::field::displacement];
     for (std::size_t n = 0; n < body.nodes.size(); ++n) {
-      if (body.coverage[n] <= 0.5) continue;
+      if (coverage[n] <= 0.5) continue;
       const Eigen::Vector2d arm = body.nodes[n].head<2>() - mesh::section_centre(*meshes_.limb.skin, body.nodes[n].z());
-      radius += arm.norm(), inward -= arm.normalized().dot(body.displacement[n].head<2>());
+      radius += arm.norm(), inward -= arm.normalized().dot(displacement[n].head<2>());
     }
     return radius > 0.0 ? std::clamp(inward / radius, -0.5, 0.9) : 0.0;
   }
@@ -281,7 +285,7 @@ class Guards {
   }
 
   void look_at_body() {
-    const BodyStrain strain = body_strain(meshes_.body, result_.body.displacement);
+    const BodyStrain strain = body_strain(meshes_.body, result_.body.fields[postproc::field::displacement]);
     number("body_largest_stretch") = strain.largest_stretch, number("body_smallest_volume_ratio") = strain.smallest_volume_ratio;
     const std::string remedy = "choose a larger size, or a finer mesh there; no test of a tissue reaches so far";
     if (strain.largest_stretch > largest_stretch)
@@ -297,6 +301,7 @@ class Guards {
   const Model& model_;
   const Meshes& meshes_;
   RunResult& result_;
+  const std::vector<Eigen::Vector2d>& stretch_;  ///< of the triangles, along warp and weft
   std::vector<Piece> pieces_;
   double area_ = 0.0;
 };

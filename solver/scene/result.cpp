@@ -1,8 +1,11 @@
 #include "solver/scene/result.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 
 #include "postproc/hem.hpp"
 #include "postproc/skin_pressure.hpp"
@@ -15,6 +18,8 @@
 
 namespace snug::solver {
 
+namespace field = postproc::field;
+
 postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
   postproc::BodyResult result;
   result.nodes = mesh.nodes;
@@ -25,10 +30,19 @@ postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
   for (const auto& layer : mesh.layers) result.layers.push_back(layer.name);
   result.locations = mesh.locations;
   result.node_location = mesh.node_location;
-  result.displacement.assign(mesh.nodes.size(), Eigen::Vector3d::Zero());
-  result.contact_pressure.assign(mesh.nodes.size(), 0.0);
-  result.coverage.assign(mesh.nodes.size(), 0.0);
+  if (mesh.nodes.empty()) return result;
+  result.fields.set(field::displacement, std::vector<Eigen::Vector3d>(mesh.nodes.size(), Eigen::Vector3d::Zero()));
+  result.fields.set(field::contact_pressure, std::vector<double>(mesh.nodes.size(), 0.0));
+  result.fields.set(field::coverage, std::vector<double>(mesh.nodes.size(), 0.0));
   return result;
+}
+
+void show_laplace(postproc::BodyResult& body) {
+  const std::vector<double>* laplace = body.fields.find(field::laplace_pressure);
+  if (!laplace) return;
+  body.fields.set(field::contact_pressure, *laplace);
+  std::vector<double>& coverage = body.fields[field::coverage];
+  for (std::size_t i = 0; i < coverage.size(); ++i) coverage[i] = (*laplace)[i] > 0.0 ? 1.0 : 0.0;
 }
 
 void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result) {
@@ -43,34 +57,6 @@ void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result) {
 }
 
 namespace {
-
-void fill_stress(const Tissue& tissue, const State& state, postproc::BodyResult& body) {
-  body.cauchy_stress.assign(body.nodes.size(), Eigen::Matrix<double, 6, 1>::Zero());
-  std::vector<int> count(body.nodes.size(), 0);
-  for (std::size_t c = 0; c < body.cells.size(); ++c) {
-    const auto stress = tissue.nodal_stress(state, static_cast<int>(c));
-    for (int a = 0; a < body.cell_nodes; ++a) {
-      body.cauchy_stress[body.cells[c][a]] += stress.col(a);
-      ++count[body.cells[c][a]];
-    }
-  }
-  for (std::size_t node = 0; node < count.size(); ++node)
-    if (count[node] > 0) body.cauchy_stress[node] /= count[node];
-}
-
-/// Averages over the triangles of a node, of the top, the middle and the bottom.
-void fill_shell_stress(const Shell& shell, const mesh::BodyMesh& mesh, const State& state, postproc::BodyResult& body) {
-  std::vector<double> count(body.nodes.size(), 0.0);
-  for (const mesh::ShellTriangle& triangle : mesh.shell)
-    for (int a = 0; a < 6; ++a) count[triangle.nodes[a]] += 1.0;
-  for (const auto& [height, stress] : {std::pair{1.0, &body.stress_top}, {0.0, &body.cauchy_stress}, {-1.0, &body.stress_bottom}}) {
-    stress->assign(body.nodes.size(), Eigen::Matrix<double, 6, 1>::Zero());
-    for (int t = 0; t < shell.triangles(); ++t) {
-      const auto nodal = shell.nodal_stress(state, t, height);
-      for (int a = 0; a < 6; ++a) (*stress)[mesh.shell[t].nodes[a]] += nodal.col(a) / count[mesh.shell[t].nodes[a]];
-    }
-  }
-}
 
 /// Of results "upper edge"; where there are several garments "band, upper".
 std::string edge_of(bool alone, const std::string& garment, const std::string& edge) {
@@ -99,64 +85,75 @@ void add_positions(const Field& position, const State& state, const mesh::Garmen
             0.5 * (result.current[first + triangle[k]] + result.current[first + triangle[(k + 1) % 3]]);
 }
 
-// Adds a garment behind those that are there.
+// Adds a garment's places behind those that are there.
 void add_garment(const Scene& scene, const State& state, const mesh::GarmentMesh& mesh, bool alone, postproc::GarmentResult& result) {
-  const auto& fabric = *scene.find<FabricMembrane>("fabric of " + mesh.name);
   append(mesh, result);
   const int first = result.parts.back().first_node;
   add_positions(scene.layout()[mesh.name], state, mesh, first, result);
   add_named_edges(mesh, alone, static_cast<int>(result.parts.size()) - 1, first, result.edges);
-  result.contact_pressure.resize(result.pattern.size(), 0.0);
-  for (int t = 0; t < fabric.triangles(); ++t) {
-    const auto s = fabric.summary(state, t);
-    result.tension_warp.push_back(s.tension_warp);
-    result.tension_weft.push_back(s.tension_weft);
-    result.shear.push_back(s.shear);
-    result.stretch_warp.push_back(s.stretch_warp);
-    result.stretch_weft.push_back(s.stretch_weft);
-    result.wrinkled.push_back(s.wrinkled);
-  }
 }
 
-// Raw multipliers on the garment, per current area; mid-edge nodes get the mean of their edge. `first`: its node in the result.
-void fill_garment_pressure(const Contact& contact, const FabricMembrane& fabric, const State& state, const mesh::GarmentMesh& mesh,
-                           int first, std::vector<double>& pressure) {
-  std::vector<double> ratio(mesh.pattern.size(), 0.0), count(mesh.pattern.size(), 0.0);
-  for (int t = 0; t < fabric.triangles(); ++t) {
-    const double r = fabric.summary(state, t).area_ratio;
-    for (const int node : mesh.triangles[t]) ratio[mesh.merged[node]] += r, count[mesh.merged[node]] += 1.0;
+template <class Value>
+Value zero() {
+  if constexpr (std::is_arithmetic_v<Value>) return 0;
+  else return Value::Zero();
+}
+
+// Puts the values of one garment into a field of all; a garment that does not have the field has zeros.
+void place(const postproc::NamedField& of_part, int first, int end, std::size_t entries, postproc::Fields& all) {
+  if (of_part.size() != static_cast<std::size_t>(end - first))
+    throw std::logic_error(fmt::format("the field {} has {} values for {} entries", of_part.name, of_part.size(), end - first));
+  if (!all.find(of_part.name)) {
+    postproc::NamedField empty = of_part;
+    std::visit([&]<class Value>(std::vector<Value>& values) { values.assign(entries, zero<Value>()); }, empty.values);
+    all.add(std::move(empty));
   }
+  std::visit([&]<class Value>(std::vector<Value>& values) {
+    const auto& given = std::get<std::vector<Value>>(of_part.values);
+    std::copy(given.begin(), given.end(), values.begin() + first);
+  }, all.find(of_part.name)->values);
+}
+
+void place_garments(const PublishedFields& published, postproc::GarmentResult& garment) {
+  for (const postproc::GarmentPart& part : garment.parts)
+    if (const auto found = published.find(part.name); found != published.end())
+      for (const postproc::NamedField& field : found->second) {
+        const bool node = field.place == postproc::Place::node;
+        place(field, node ? part.first_node : part.first_triangle, node ? part.end_node : part.end_triangle,
+              node ? garment.pattern.size() : garment.triangles.size(), garment.fields);
+      }
+}
+
+// Raw multipliers on the garment, per current area, a pattern node; mid-edge nodes get the mean of their edge.
+std::vector<double> garment_pressure(const Contact& contact, const State& state, const mesh::GarmentMesh& mesh, const std::vector<double>& area_ratio) {
+  std::vector<double> ratio(mesh.pattern.size(), 0.0), count(mesh.pattern.size(), 0.0), pressure(mesh.pattern.size(), 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const int node : mesh.triangles[t]) ratio[mesh.merged[node]] += area_ratio[t], count[mesh.merged[node]] += 1.0;
   const auto at = [&](int node) {
     const int m = mesh.merged[node], i = contact.multiplier_of(m);
     return i < 0 ? 0.0 : contact.pressure(state, i) * count[m] / ratio[m];
   };
   for (const auto& triangle : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      pressure[first + triangle[k]] = at(triangle[k]);
-      pressure[first + triangle[3 + k]] = 0.5 * (at(triangle[k]) + at(triangle[(k + 1) % 3]));
+      pressure[triangle[k]] = at(triangle[k]);
+      pressure[triangle[3 + k]] = 0.5 * (at(triangle[k]) + at(triangle[(k + 1) % 3]));
     }
+  return pressure;
 }
 
-std::vector<postproc::ContactSample> samples_of(const Contact& contact, const FabricMembrane& fabric, const State& state) {
-  std::vector<postproc::ContactSample> samples = contact.samples(state);
-  auto sample = samples.begin();
-  for (const auto& place : contact.places(state)) {
-    if (sample->facet >= 0)
-      sample->area = fabric.area_ratio(state, place.triangle, place.L) * place.weight * fabric.pattern_area(place.triangle);
-    ++sample;
-  }
-  return samples;
-}
-
-// Forces and places of the points, in the order of the samples.
-void fill_contact_points(const Contact& contact, const State& state, bool deformable, std::vector<postproc::ContactSample>& samples,
-                         postproc::Balance& balance) {
-  auto sample = samples.begin();
-  for (const auto& point : contact.point_forces(state)) {
-    (sample++)->at = point.y;
+// The points of a garment's contact, which act on garment and skin.
+std::vector<postproc::ContactSample> contact_samples(const Contact& contact, const FabricMembrane& fabric, const State& state, bool deformable,
+                                                     postproc::Balance& balance) {
+  std::vector<postproc::ContactSample> samples;
+  for (const Contact::PointForce& point : contact.point_forces(state)) {
+    postproc::ContactSample sample{.facet = point.facet, .xi = point.xi[0], .eta = point.xi[1], .force = point.pressing,
+                                   .touching = point.pressing > 0.0, .at = point.y};
+    if (sample.facet >= 0) sample.area = fabric.area_ratio(state, point.triangle, point.L) * point.weight * fabric.pattern_area(point.triangle);
+    samples.push_back(sample);
     add_action(point.force, point.y, deformable, balance);
     balance.contact_force += point.force.norm();
   }
+  return samples;
 }
 
 // Supports answer at prescribed entries: their force is the residual there.
@@ -216,17 +213,18 @@ void fill_numbers(const Scene& scene, const mesh::BodyMesh& body, postproc::RunR
     if (sample.touching) force += sample.force, area += sample.area;
   if (area > 0.0) result.numbers["mean_contact_pressure_Pa"] = force / area;
   if (!result.samples.empty()) {
-    result.numbers["max_contact_pressure_with_hems_Pa"] =
-        *std::max_element(result.body.contact_pressure.begin(), result.body.contact_pressure.end());
+    const std::vector<double>& pressure = result.body.fields[field::contact_pressure];
+    result.numbers["max_contact_pressure_with_hems_Pa"] = *std::max_element(pressure.begin(), pressure.end());
     result.numbers["contact_area_m2"] = area;
   }
   if (scene.layout()["body"].count == 0) return;
   double sum = 0.0, weight = 0.0, largest = 0.0;
+  const std::vector<Eigen::Vector3d>& displacement = result.body.fields[field::displacement];
   const mesh::FacetKind kind = facet_kind(body.kind);
   for (const auto& facet : body.skin_facets) {
     const FacetNodes rest = facet_positions(body, facet);
     FacetNodes moved = FacetNodes::Zero();
-    for (int a = 0; a < node_count(kind); ++a) moved.col(a) = result.body.displacement[facet[a]];
+    for (int a = 0; a < node_count(kind); ++a) moved.col(a) = displacement[facet[a]];
     for (const FacetRulePoint& q : facet_rule(kind)) {
       const FacetPoint point = facet_point(rest, q.shape);
       sum += q.weight * point.area * (moved * q.shape.N).dot(point.n);
@@ -253,24 +251,26 @@ namespace {
 
 // Pressure of a garment on the skin, with what friction adds.
 void fill_garment_contact(const Scene& scene, const State& state, const Touch& touch, const mesh::GarmentMesh& mesh,
-                          postproc::RunResult& result) {
-  const auto& fabric = *scene.find<FabricMembrane>("fabric of " + mesh.name);
+                          postproc::Fields& garment, postproc::RunResult& result) {
   const bool deformable = scene.layout()["body"].count > 0;
-  const auto part = std::find_if(result.garment.parts.begin(), result.garment.parts.end(), [&](const auto& p) { return p.name == mesh.name; });
-  std::vector<postproc::ContactSample> samples = samples_of(*touch.contact, fabric, state);
-  fill_garment_pressure(*touch.contact, fabric, state, mesh, part->first_node, result.garment.contact_pressure);
-  fill_contact_points(*touch.contact, state, deformable, samples, result.balance);
-  if (touch.friction) add_friction(*touch.friction, *touch.contact, state, deformable, mesh, part->first_node, samples, result);
+  std::vector<postproc::ContactSample> samples = contact_samples(*touch.contact, *touch.sheet, state, deformable, result.balance);
+  garment.add(named(field::contact_pressure, garment_pressure(*touch.contact, state, mesh, garment[field::area_ratio])));
+  if (touch.friction) add_friction(*touch.friction, *touch.contact, state, deformable, mesh, garment, samples, result.balance);
   result.samples.insert(result.samples.end(), samples.begin(), samples.end());
+}
+
+void fill_displacement(const Field& position, const State& state, postproc::BodyResult& body) {
+  if (position.count == 0) return;
+  std::vector<Eigen::Vector3d>& displacement = body.fields[field::displacement];
+  for (int node = 0; node < position.count; ++node) displacement[node] = state.values.segment<3>(position(node)) - body.nodes[node];
 }
 
 // What all garments together press on the skin.
 void fill_skin(const mesh::BodyMesh& body, bool friction, postproc::RunResult& result) {
-  std::vector<Eigen::Vector3d> current = result.body.nodes;
-  for (std::size_t i = 0; i < current.size(); ++i) current[i] += result.body.displacement[i];
-  const auto pressure = postproc::transfer(body.skin_facets, current.size(), current, result.samples);
-  result.body.contact_pressure = pressure.pressure;
-  result.body.coverage = pressure.coverage;
+  const auto pressure = postproc::transfer(body.skin_facets, result.body.nodes.size(), postproc::nodes_now(result.body), result.samples);
+  result.body.fields.set(field::contact_pressure, pressure.pressure);
+  result.body.fields.set(field::coverage, pressure.coverage);
+  result.body.fields.set(field::skin_area, pressure.node_area);
   result.numbers["max_contact_pressure_Pa"] = postproc::keep_hems_apart(body.mean_skin_cell, result);
   if (friction) fill_skin_friction(pressure, result);
 }
@@ -279,7 +279,8 @@ void fill_skin(const mesh::BodyMesh& body, bool friction, postproc::RunResult& r
 void fill_solid_contact(const Scene& scene, const State& state, const Touch& touch, const ContactModel& model, const mesh::BodyMesh& body,
                         postproc::RunResult& result) {
   const SurfacePressures found = surface_pressures(*touch.contact, scene.layout()["body"], state, slave_facets(body, model));
-  for (const auto& [node, pressure] : found.at_node) result.body.contact_pressure[node] = pressure;
+  std::vector<double>& on_body = result.body.fields[field::contact_pressure];
+  for (const auto& [node, pressure] : found.at_node) on_body[node] = pressure;
   postproc::SurfaceContact row{model.name, model.slave, model.master, 0.0, found.area, 0.0, 0.0};
   for (const auto& point : touch.contact->point_forces(state)) row.force += point.force.norm();
   for (const auto& [node, pressure] : found.at_node) row.largest_pressure = std::max(row.largest_pressure, pressure);
@@ -296,23 +297,26 @@ std::string edge_name(const Model& model, const mesh::GarmentMesh& garment, cons
 }
 
 void fill_result(const Scene& scene, const State& state, const Model& model, const Meshes& meshes, postproc::RunResult& result) {
-  const Field& position = scene.layout()["body"];
   const mesh::BodyMesh& body = meshes.body;
-  for (int node = 0; node < position.count; ++node)
-    result.body.displacement[node] = state.values.segment<3>(position(node)) - body.nodes[node];
-  if (const auto* tissue = scene.find<Tissue>()) fill_stress(*tissue, state, result.body);
-  if (const auto* shell = scene.find<Shell>()) fill_shell_stress(*shell, body, state, result.body);
+  fill_displacement(scene.layout()["body"], state, result.body);
   for (const mesh::GarmentMesh& garment : meshes.garments) add_garment(scene, state, garment, meshes.garments.size() == 1, result.garment);
+  PublishedFields published;
+  for (const auto& term : scene.terms()) term->publish(state, published);
+  for (const auto& [part, fields] : published)
+    if (part != "body" && std::none_of(meshes.garments.begin(), meshes.garments.end(), [&](const auto& m) { return m.name == part; }))
+      throw std::logic_error("fields are published of a part \"" + part + "\" that the scene does not have");
+  for (const postproc::NamedField& field : published["body"]) result.body.fields.add(field);
   bool on_skin = false, friction = false;
   for (const Touch& touch : scene.touches()) {
-    if (!touch.of_garment) continue;
+    if (!touch.sheet) continue;
     const auto mesh = std::find_if(meshes.garments.begin(), meshes.garments.end(), [&](const auto& m) { return m.name == touch.slave; });
-    fill_garment_contact(scene, state, touch, *mesh, result);
+    fill_garment_contact(scene, state, touch, *mesh, published[mesh->name], result);
     on_skin = true, friction = friction || touch.friction;
   }
+  place_garments(published, result.garment);
   if (on_skin) fill_skin(body, friction, result);
   for (const Touch& touch : scene.touches())
-    if (!touch.of_garment) fill_solid_contact(scene, state, touch, *model.contact(touch.contact->name()), body, result);
+    if (!touch.sheet) fill_solid_contact(scene, state, touch, *model.contact(touch.contact->name()), body, result);
   fill_reactions(scene, state, meshes.garments, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
   result.balance.free_motions_share = borne_by_free_motions(scene, state);

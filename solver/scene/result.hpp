@@ -15,6 +15,9 @@ void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result);
 /// Fills displacement, stress, contact samples, skin pressure, garment fields, balance and `numbers` from the state.
 void fill_result(const Scene& scene, const State& state, const Model& model, const Meshes& meshes, postproc::RunResult& result);
 
+/// Tier L0: the pressure by the law of Laplace, where the body has it, is that of the contact.
+void show_laplace(postproc::BodyResult& body);
+
 /// Name of a garment's edge among the reactions.
 std::string edge_name(const Model& model, const mesh::GarmentMesh& garment, const std::string& edge);
 

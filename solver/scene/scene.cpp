@@ -320,9 +320,9 @@ void add_body(const Model& model, const mesh::BodyMesh& body, Scene& scene) {
   add_loads(model, body, scene);
 }
 
-void add_touch(const ContactModel& contact, bool of_garment, Interface interface, double stiffness, double stick, Scene& scene) {
+void add_touch(const ContactModel& contact, const FabricMembrane* sheet, Interface interface, double stiffness, double stick, Scene& scene) {
   const double edge = interface.slave.mean_edge;
-  Touch touch{.slave = contact.slave, .of_garment = of_garment};
+  Touch touch{.slave = contact.slave, .sheet = sheet};
   touch.contact = &scene.add(std::make_unique<Contact>(contact.name, std::move(interface), stiffness,
                                                        contact.dual ? GapBasis::dual : GapBasis::hat));
   if (contact.friction.coefficient > 0.0)
@@ -336,21 +336,21 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   const mesh::GarmentMesh& mesh = meshes.garments[g];
   const Field& position = scene.layout()[mesh.name];
   scene.add(Part{mesh.name, Role::garment, position});
-  scene.add(std::make_unique<FabricMembrane>(mesh.name, position, mesh, garment.fabric, prestretch));
+  const FabricMembrane& fabric = scene.add(std::make_unique<FabricMembrane>(mesh.name, position, mesh, garment.fabric, prestretch));
   add_loose_cloth(model, g, mesh, scene);
   const ContactModel* contact = model.contact_of(g);
   if (!contact) return;
   const double sheet = sheet_stiffness(garment.fabric, mesh);
   MasterSurface master(scene.layout()["body"], meshes.body, meshes.body.skin_facets);
   const double stiffness = skin == Skin::deformable ? std::max(sheet, body_stiffness(model, master.mean_edge())) : sheet;
-  add_touch(*contact, true, {scene.layout()[contact->name], garment_slave(position, mesh), std::move(master)}, stiffness, sheet, scene);
+  add_touch(*contact, &fabric, {scene.layout()[contact->name], garment_slave(position, mesh), std::move(master)}, stiffness, sheet, scene);
 }
 
 void add_solid_contact(const Model& model, const ContactModel& contact, const mesh::BodyMesh& body, Scene& scene) {
   const Field& position = scene.layout()["body"];
   MasterSurface master(position, body, contact_facets(body, contact.master, contact.where));
   const double stiffness = body_stiffness(model, master.mean_edge());
-  add_touch(contact, false,
+  add_touch(contact, nullptr,
             {scene.layout()[contact.name], surface_slave(position, body, slave_facets(body, contact)), std::move(master)}, stiffness,
             stiffness, scene);
 }

@@ -70,15 +70,12 @@ class Run {
   void laplace() {
     const LaplacePressure l0 = laplace_pressure(model_.garments, meshes_.limb, meshes_.body);
     result_.mean_laplace_pressure = l0.mean;
-    result_.body.laplace_pressure = l0.pressure;
+    if (!l0.pressure.empty()) result_.body.fields.set(postproc::field::laplace_pressure, l0.pressure);
     log_.phase("law of Laplace");
   }
 
   void finish_laplace() {
-    result_.body.contact_pressure = result_.body.laplace_pressure;
-    if (result_.body.contact_pressure.empty()) result_.body.contact_pressure.assign(result_.body.nodes.size(), 0.0);
-    for (std::size_t i = 0; i < result_.body.coverage.size(); ++i)
-      result_.body.coverage[i] = result_.body.contact_pressure[i] > 0.0 ? 1.0 : 0.0;
+    show_laplace(result_.body);
     result_.numbers["mean_contact_pressure_Pa"] = result_.mean_laplace_pressure;
     result_.status = "converged";
   }

@@ -77,15 +77,18 @@ class Contact : public Term {
   const ContactHistory& history(const State& state) const { return state.history.get<ContactHistory>(name_); }
   /// Active set as found by the last update, one flag a vertex.
   const std::vector<char>& active(const State& state) const { return history(state).active.flags(); }
-  /// Quadrature points with their forces, in the order of `places`; `area` is filled by the caller, who knows the
-  /// garment's stretch.
-  std::vector<postproc::ContactSample> samples(const State& state) const;
-  /// Position, force on the slave (N) of every point, in the order of `samples`.
-  struct PointForce { Eigen::Vector3d x, y, force; };
+  /// A quadrature point of the slave and what acts on the slave there.
+  struct PointForce {
+    Eigen::Vector3d x, y;                               ///< m, on the slave and on the master; y = x where it faces none
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< N, `pressing` along the master's normal
+    double pressing = 0.0;                              ///< N
+    int facet = -1;                                     ///< of the master, -1: it faces none
+    Eigen::Vector2d xi = Eigen::Vector2d::Zero();       ///< on the facet
+    int triangle = 0;                                   ///< of the slave
+    Eigen::Vector3d L = Eigen::Vector3d::Zero();        ///< its area coordinates there
+    double weight = 0.0;                                ///< fraction of the triangle's rest area
+  };
   std::vector<PointForce> point_forces(const State& state) const;
-  /// Where the quadrature points stand on the slave; `weight` is the fraction of the triangle's rest area.
-  struct Place { int triangle; Eigen::Vector3d L; double weight; };
-  std::vector<Place> places(const State& state) const;
 
   /// A quadrature point that faces the master, with what meets there in `state` (for friction). Entries of a triangle:
   /// its six nodes, then those of its element's `master_nodes`, three components each, then its vertices' multipliers.

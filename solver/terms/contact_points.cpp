@@ -13,14 +13,6 @@ void Contact::meetings(const State& state, int triangle, std::vector<Meeting>& l
   }
 }
 
-std::vector<Contact::Place> Contact::places(const State& state) const {
-  const auto& elements = history(state).elements;
-  std::vector<Place> places;
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    for (const ContactPoint& point : elements[e].points) places.push_back({static_cast<int>(e), point.L, point.weight});
-  return places;
-}
-
 std::vector<Contact::PointForce> Contact::point_forces(const State& state) const {
   std::vector<PointForce> forces;
   const auto& elements = history(state).elements;
@@ -28,36 +20,17 @@ std::vector<Contact::PointForce> Contact::point_forces(const State& state) const
     const TriangleNodes x = positions(state, e);
     for (const ContactPoint& point : elements[e].points) {
       const Gap g = gap(state, x, point);
-      PointForce force{g.x, g.x, Eigen::Vector3d::Zero()};
+      PointForce force{.x = g.x, .y = g.x, .triangle = e, .L = point.L, .weight = point.weight};
       if (g.facing) {
-        force.y = g.at.y;
-        force.force = point.weight * interface_.slave.triangles[e].area * pressure(state, e, point) * g.at.n;
+        force.facet = point.site.facet;
+        force.xi = clamped(interface_.master.kind(), point.site.xi);  // it may stay with its facet a little over the edge
+        force.pressing = point.weight * interface_.slave.triangles[e].area * pressure(state, e, point);
+        force.y = g.at.y, force.force = force.pressing * g.at.n;
       }
       forces.push_back(force);
     }
   }
   return forces;
-}
-
-std::vector<postproc::ContactSample> Contact::samples(const State& state) const {
-  std::vector<postproc::ContactSample> samples;
-  const auto& elements = history(state).elements;
-  for (int e = 0; e < triangles(); ++e) {
-    const TriangleNodes x = positions(state, e);
-    for (const ContactPoint& point : elements[e].points) {
-      postproc::ContactSample sample;
-      const Gap g = gap(state, x, point);
-      if (g.facing) {
-        sample.facet = point.site.facet;
-        const Eigen::Vector2d xi = clamped(interface_.master.kind(), point.site.xi);  // it may stay with its facet a little over the edge
-        sample.xi = xi[0], sample.eta = xi[1];
-        sample.force = point.weight * interface_.slave.triangles[e].area * pressure(state, e, point);
-        sample.touching = sample.force > 0.0;
-      }
-      samples.push_back(sample);
-    }
-  }
-  return samples;
 }
 
 }  // namespace snug::solver

@@ -133,6 +133,25 @@ double FabricMembrane::area_ratio(const State& state, int triangle, const Eigen:
   return F.col(0).cross(F.col(1)).norm();
 }
 
+void FabricMembrane::publish(const State& state, PublishedFields& fields) const {
+  namespace field = postproc::field;
+  std::vector<double> warp, weft, shear, wrinkled, area_ratio;
+  std::vector<Eigen::Vector2d> stretch;
+  for (int t = 0; t < triangles(); ++t) {
+    const Summary s = summary(state, t);
+    warp.push_back(s.tension_warp), weft.push_back(s.tension_weft), shear.push_back(s.shear);
+    stretch.emplace_back(s.stretch_warp, s.stretch_weft);
+    wrinkled.push_back(s.wrinkled), area_ratio.push_back(s.area_ratio);
+  }
+  postproc::Fields& garment = fields[garment_];
+  garment.add(named(field::tension_warp, std::move(warp)));
+  garment.add(named(field::tension_weft, std::move(weft)));
+  garment.add(named(field::shear, std::move(shear)));
+  garment.add(named(field::stretch, std::move(stretch)));
+  garment.add(named(field::wrinkled, std::move(wrinkled)));
+  garment.add(named(field::area_ratio, std::move(area_ratio)));
+}
+
 FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle) const {
   const Element& element = elements_[triangle];
   const NodeVectors<6> x = positions(state, element);

@@ -29,6 +29,8 @@ class FabricMembrane : public Term {
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
   /// Stiffness over the mean edge squared times the area of the node: slack cloth has no stiffness of its own.
   void damp(Eigen::VectorXd& weights) const override;
+  /// Forces, stretches and state of the triangles, and their area ratio.
+  void publish(const State& state, PublishedFields& fields) const override;
 
   /// Residual compressive stiffness eta of the relaxed energy at load s: 1e-2 at the start, `final_eta` at s = 1. Without
   /// one a sleeve that is free along its axis stands on the kink between taut and wrinkled, and Newton finds no rest.

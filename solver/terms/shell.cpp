@@ -290,6 +290,25 @@ std::vector<Eigen::Vector3d> Shell::foundation_forces(const State& state) const 
   return forces;
 }
 
+std::vector<postproc::Stress> Shell::averaged_stress(const State& state, double height) const {
+  std::vector<double> count(reference_.size(), 0.0);
+  for (const Triangle& triangle : triangles_)
+    for (const int node : triangle.nodes) count[node] += 1.0;
+  std::vector<postproc::Stress> stress(reference_.size(), postproc::Stress::Zero());
+  for (int t = 0; t < triangles(); ++t) {
+    const auto nodal = nodal_stress(state, t, height);
+    for (int a = 0; a < 6; ++a) stress[triangles_[t].nodes[a]] += nodal.col(a) / count[triangles_[t].nodes[a]];
+  }
+  return stress;
+}
+
+void Shell::publish(const State& state, PublishedFields& fields) const {
+  postproc::Fields& body = fields[field_.name];
+  add_stress(body, averaged_stress(state, 0.0));
+  body.add(named(postproc::field::stress_top, averaged_stress(state, 1.0)));
+  body.add(named(postproc::field::stress_bottom, averaged_stress(state, -1.0)));
+}
+
 // S^ab = C^abcd (E - z K)_cd; sigma = S^ab a_a (x) a_b/(area ratio) with the tangents at z left at the middle's.
 Eigen::Matrix<double, 6, 6> Shell::nodal_stress(const State& state, int t, double height) const {
   const Triangle& triangle = triangles_[t];

@@ -41,6 +41,9 @@ class Shell : public Term {
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
 
+  /// The stress of top, middle and bottom: averages over the triangles of a node.
+  void publish(const State& state, PublishedFields& fields) const override;
+
   /// Cauchy stresses (xx yy zz xy yz xz, Pa) at the six nodes of a triangle, at `height` times half the thickness along the
   /// normal (-1, 0, 1); the thickness stays what it is.
   Eigen::Matrix<double, 6, 6> nodal_stress(const State& state, int triangle, double height) const;
@@ -73,6 +76,7 @@ class Shell : public Term {
   TriangleNodes reference(int triangle) const;
   void add_point(const TriangleNodes& x, const TriangleNodes& X, const Triangle& triangle, const Point& point, bool tangent,
                  MembraneElement<6>& element) const;
+  std::vector<postproc::Stress> averaged_stress(const State& state, double height) const;
   EdgeElement edge_element(const State& state, const EdgeSides& edge, bool tangent) const;
 
   Field field_;

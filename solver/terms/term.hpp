@@ -5,8 +5,10 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <map>
 #include <string>
 
+#include "postproc/fields.hpp"
 #include "solver/algebra/layout.hpp"
 #include "solver/algebra/sparse_scatter.hpp"
 #include "solver/algebra/state.hpp"
@@ -40,6 +42,9 @@ struct Measure {
 enum class Tangent { none, full, convex };
 inline bool wanted(Tangent tangent) { return tangent != Tangent::none; }
 
+/// Results by part of the scene ("body", a garment's name): a value a node or cell of the part's mesh.
+using PublishedFields = std::map<std::string, postproc::Fields>;
+
 class Term {
  public:
   virtual ~Term() = default;
@@ -59,6 +64,8 @@ class Term {
   /// Gives its step to what the term eliminated: entries without unknowns follow from the step of the others.
   virtual void recover(const State&, Eigen::VectorXd&) const {}
   virtual void measure(const State&, Measure&) const {}
+  /// Adds what it knows of the state as fields of its parts: they come into the result, its files and what reads these.
+  virtual void publish(const State&, PublishedFields&) const {}
 
   /// Renews in the history what stands still while Newton's method iterates (the quadrature of contact), before an increment.
   virtual void renew(State&) const {}

@@ -45,6 +45,7 @@ class Tissue : public Term {
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
   void recover(const State& state, Eigen::VectorXd& step) const override;
   void measure(const State& state, Measure& measure) const override;
+  void publish(const State& state, PublishedFields& fields) const override;  ///< the stress: averages over the cells of a node
   bool bends() const override { return true; }
 
   /// Cauchy stress (Pa; rows xx yy zz xy yz xz) at the nodes of a cell, extrapolated from the quadrature points.
@@ -54,6 +55,7 @@ class Tissue : public Term {
 
  private:
   std::string name_;
+  Field positions_;
   std::vector<materials::SolidLaw> laws_;
   std::unique_ptr<Kernel> kernel_;
 };

@@ -129,7 +129,7 @@ struct BlockAnswer {
     for (std::size_t n = 1; n < mesh.nodes.size(); ++n)
       if ((mesh.nodes[n] - at).squaredNorm() < (mesh.nodes[best] - at).squaredNorm()) best = n;
     EXPECT_LE((mesh.nodes[best] - at).norm(), 1e-9);
-    return result.body.displacement[best];
+    return result.body.fields[postproc::field::displacement][best];
   }
 };
 

@@ -129,7 +129,7 @@ TEST_F(Extremes, FineGarment) { meets_exact({.name = "garment 4 times finer than
 TEST_F(Extremes, ZeroPrestress) {
   const Answer answer = timed_run(tube_of({.name = "zero prestress", .rest = 0.055}));
   print_time("zero prestress", answer, ordinary());
-  const auto& p = answer.result.body.contact_pressure;
+  const auto& p = answer.result.body.fields[postproc::field::contact_pressure];
   book("4 extremes", "zero prestress: largest nodal pressure over k1/R", *std::max_element(p.begin(), p.end()) / (200.0 / 0.055),
        0.0, 1e-3, "nothing pulls");
 }
@@ -147,8 +147,9 @@ TEST_F(Extremes, RidgeOfBone) {
     EXPECT_LE(answer.result.balance.force_error.norm(), 1e-8 * answer.result.balance.contact_force);
     if (nu > 0.49) continue;  // incompressible tissue on bone cannot give way: the round stays a circle
     const auto& body = answer.result.body;
-    const auto largest = std::max_element(body.contact_pressure.begin(), body.contact_pressure.end());
-    const Eigen::Vector3d place = body.nodes[largest - body.contact_pressure.begin()];
+    const std::vector<double>& pressure = body.fields[postproc::field::contact_pressure];
+    const auto largest = std::max_element(pressure.begin(), pressure.end());
+    const Eigen::Vector3d place = body.nodes[largest - pressure.begin()];
     EXPECT_GT(place.x(), 0.9 * tube.radius) << place.transpose();
   }
 }

@@ -161,7 +161,7 @@ std::vector<double> ring_means(const postproc::BodyResult& body) {
   std::map<long, std::pair<double, int>> rings;  // by height in micrometres
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     auto& [sum, count] = rings[std::lround(1e6 * body.nodes[n].z())];
-    sum += body.contact_pressure[n], ++count;
+    sum += body.fields[postproc::field::contact_pressure][n], ++count;
   }
   std::vector<double> means;
   for (const auto& [height, ring] : rings) means.push_back(ring.first / ring.second);
@@ -187,9 +187,9 @@ TEST(SoftFriction, ObeysItsBoundBalancesAndVanishesWithItsCoefficient) {
     EXPECT_LE((balance.garment_force + balance.skin_force).norm(), 1e-8 * balance.contact_force);
     EXPECT_GT(balance.friction_force, 0.0);
     for (std::size_t n = 0; n < r.body.nodes.size(); ++n)
-      EXPECT_LE(r.body.shear_traction[n].norm(), (1.0 + 1e-9) * mu * r.body.contact_pressure[n]) << "skin node " << n;
-    for (std::size_t n = 0; n < r.garment.shear_traction.size(); ++n)
-      EXPECT_LE(r.garment.shear_traction[n].norm(), (1.0 + 1e-9) * mu * r.garment.contact_pressure[n]) << "garment node " << n;
+      EXPECT_LE(r.body.fields[postproc::field::shear_traction][n].norm(), (1.0 + 1e-9) * mu * r.body.fields[postproc::field::contact_pressure][n]) << "skin node " << n;
+    for (std::size_t n = 0; n < r.garment.fields[postproc::field::shear_traction].size(); ++n)
+      EXPECT_LE(r.garment.fields[postproc::field::shear_traction][n].norm(), (1.0 + 1e-9) * mu * r.garment.fields[postproc::field::contact_pressure][n]) << "garment node " << n;
     EXPECT_LE(change, mu);
     ASSERT_EQ(r.donning.size(), 3u);
     for (const auto& row : r.donning) EXPECT_TRUE(row.converged) << row.name;

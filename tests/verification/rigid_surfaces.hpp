@@ -160,8 +160,8 @@ inline void measure(const RigidCase& rigid, const mesh::BodyMesh& body, const me
   std::vector<int> skin(body.nodes.size());
   std::iota(skin.begin(), skin.end(), 0);
   answer.edge = placed_edge(garment) / radius;
-  answer.skin = spread(rigid, skin, answer.result.body.contact_pressure, [&](int n) { return body.nodes[n]; });
-  answer.garment = spread(rigid, garment_vertices(garment), answer.result.garment.contact_pressure,
+  answer.skin = spread(rigid, skin, answer.result.body.fields[postproc::field::contact_pressure], [&](int n) { return body.nodes[n]; });
+  answer.garment = spread(rigid, garment_vertices(garment), answer.result.garment.fields[postproc::field::contact_pressure],
                           [&](int n) { return garment.placed[n]; });
 }
 

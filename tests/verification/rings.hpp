@@ -19,7 +19,7 @@ inline BlockCase tube(double inner, double outer, std::array<int, 3> cells, cons
 inline double mean_radius(const BlockCase& c, const BlockAnswer& a, const std::string& surface) {
   double sum = 0.0;
   const auto& nodes = c.mesh.surface(surface)->nodes;
-  for (const int node : nodes) sum += (c.mesh.nodes[node] + a.result.body.displacement[node]).head<2>().norm();
+  for (const int node : nodes) sum += (c.mesh.nodes[node] + a.result.body.fields[postproc::field::displacement][node]).head<2>().norm();
   return sum / static_cast<double>(nodes.size());
 }
 

@@ -84,9 +84,9 @@ Sphere pressurised_sphere(int n, double R, double t, double E, double nu, double
   Sphere sphere{0.0, 0.0, 0.0};
   double low = 1.0, high = 0.0;
   for (std::size_t k = 0; k < c.mesh.nodes.size(); ++k) {
-    const double u = answer.result.body.displacement[k].dot(c.mesh.nodes[k]) / R;
+    const double u = answer.result.body.fields[postproc::field::displacement][k].dot(c.mesh.nodes[k]) / R;
     sphere.displacement += share * u, low = std::min(low, u), high = std::max(high, u);
-    sphere.stress += share * answer.result.body.cauchy_stress[k].head<3>().sum() / 2.0;
+    sphere.stress += share * answer.result.body.fields[postproc::field::cauchy_stress][k].head<3>().sum() / 2.0;
   }
   sphere.spread = high - low;
   return sphere;
@@ -125,7 +125,7 @@ TEST(Shells, AFoundationAloneCarriesAPistonsLoad) {
   BlockCase c = shell_case(model);
   c.traction("skin", 0.0, 0.0, 0.02);
   const BlockAnswer answer = solve(c, 1.0);
-  for (const Eigen::Vector3d& u : answer.result.body.displacement) EXPECT_NEAR(u.z(), 0.02 / 4e3, 1e-12);
+  for (const Eigen::Vector3d& u : answer.result.body.fields[postproc::field::displacement]) EXPECT_NEAR(u.z(), 0.02 / 4e3, 1e-12);
 }
 
 }  // namespace

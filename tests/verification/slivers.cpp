@@ -48,7 +48,7 @@ double largest_miss(BlockCase& c, const Eigen::Vector3d& size) {
   const BlockAnswer a = solve(c);
   double miss = 0.0;
   for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
-    miss = std::max(miss, (c.mesh.nodes[node] + a.result.body.displacement[node] - gradient * c.mesh.nodes[node]).norm());
+    miss = std::max(miss, (c.mesh.nodes[node] + a.result.body.fields[postproc::field::displacement][node] - gradient * c.mesh.nodes[node]).norm());
   const auto pressures = a.path.state.values.segment(a.layout.positions(), a.layout["body pressure"].count);  // of tetrahedra
   if (pressures.size() > 0) {
     EXPECT_LE(pressures.maxCoeff() / pressures.minCoeff() - 1.0, 1e-6);

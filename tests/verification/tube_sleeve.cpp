@@ -34,7 +34,7 @@ void measure_nodes(const postproc::BodyResult& body, double hem, double exact, E
   for (std::size_t node = 0; node < skin.size(); ++node) {
     const double z = body.nodes[node].z();
     if (!skin[node] || z < hem || z > top - hem) continue;
-    const double error = body.contact_pressure[node] / exact - 1.0;
+    const double error = body.fields[postproc::field::contact_pressure][node] / exact - 1.0;
     errors.nodal_max = std::max(errors.nodal_max, std::abs(error));
     sum += error * error;
     ++count;

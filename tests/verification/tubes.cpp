@@ -160,7 +160,7 @@ double radius_of(const BlockCase& c, const BlockAnswer& a, double reference) {
   int count = 0;
   for (std::size_t node = 0; node < c.mesh.nodes.size(); ++node)
     if (std::abs(c.mesh.nodes[node].head<2>().norm() - reference) < 1e-6)
-      sum += (c.mesh.nodes[node] + a.result.body.displacement[node]).head<2>().norm(), ++count;
+      sum += (c.mesh.nodes[node] + a.result.body.fields[postproc::field::displacement][node]).head<2>().norm(), ++count;
   return sum / count;
 }
 
@@ -269,7 +269,7 @@ TEST(Inflation, ThePressureOfAnIncompressibleSphereOpensItsBore) {
     const BlockAnswer a = solve(c);
     double bore = 0.0;
     const auto& nodes = c.mesh.surface("bore")->nodes;
-    for (const int n : nodes) bore += (c.mesh.nodes[n] + a.result.body.displacement[n]).norm() / nodes.size();
+    for (const int n : nodes) bore += (c.mesh.nodes[n] + a.result.body.fields[postproc::field::displacement][n]).norm() / nodes.size();
     book("inflated sphere, nu = 0.49999", fmt::format("a / A - 1 at Pi = {:.4f} kPa", row.pressure), bore / 0.010 - 1.0,
          row.bore - 1.0, 1e-4, "reference book 1.4, incompressible");
   }

@@ -87,8 +87,8 @@ TEST(Film, IsWrittenFromTheStatesOfARun) {
   std::vector<GridStep> body, garment;
   for (const double t : {0.0, 0.5, 1.0}) {
     RunResult state = run;
-    for (auto& u : state.body.displacement) u *= t * t;
-    for (double& p : state.body.contact_pressure) p *= t == 1.0 ? 1.0 : 0.0;
+    for (auto& u : state.body.fields[field::displacement]) u *= t * t;
+    for (double& p : state.body.fields[field::contact_pressure]) p *= t == 1.0 ? 1.0 : 0.0;
     body.push_back({t, "body_" + std::to_string(t) + ".vtu"}), garment.push_back({t, "garment_0000.vtu"});
     write_body(state.body, {}, out / body.back().file);
   }

@@ -15,17 +15,21 @@ namespace {
 /// A block of 27-node hexahedra with straight edges, 0.4 x 0.3 x 0.2 m, turned a little, with a linear displacement.
 BodyResult block(int cells) {
   BodyResult body;
+  std::vector<Eigen::Vector3d> displacement;
+  std::vector<Stress> stresses;
   const int n = 2 * cells + 1;
   for (int k = 0; k < n; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i) {
         const Eigen::Vector3d at(0.4 * i / (n - 1), 0.3 * j / (n - 1), 0.2 * k / (n - 1));
         body.nodes.push_back(at);
-        body.displacement.emplace_back(1e-3 + 0.02 * at.x() - 0.01 * at.z(), 0.03 * at.y(), -0.01 * at.x());
+        displacement.emplace_back(1e-3 + 0.02 * at.x() - 0.01 * at.z(), 0.03 * at.y(), -0.01 * at.x());
         Stress stress;
         stress << 100 + 1000 * at.x(), 50 * at.y(), -20, 10, 5 * at.z(), 1;
-        body.cauchy_stress.push_back(stress);
+        stresses.push_back(stress);
       }
+  body.fields.set(field::displacement, displacement);
+  add_stress(body.fields, stresses);
   for (int c = 0; c < cells * cells * cells; ++c) {
     const int ci = c % cells, cj = c / cells % cells, ck = c / cells / cells;
     std::array<int, 27> cell;
@@ -101,7 +105,7 @@ TEST(Comparison, MeshesOfTheSameBodyCompareByCoordinates) {
         EXPECT_LE(column.maximum, column.tolerance) << column.label;
   }
   BodyResult moved = block(3);
-  for (std::size_t n = 0; n < moved.nodes.size(); n += 3) moved.displacement[n].z() += 1e-3;
+  for (std::size_t n = 0; n < moved.nodes.size(); n += 3) moved.fields[field::displacement][n].z() += 1e-3;
   const Comparison comparison = compare(coarse, field_of_body(moved, "moved"), options);
   EXPECT_FALSE(comparison.within());
   EXPECT_NEAR(comparison.columns[2].maximum, 1e-3, 1e-8);

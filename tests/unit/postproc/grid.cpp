@@ -66,9 +66,9 @@ TEST(Grid, BodyFieldsComeBackThroughVtksReader) {
   vtkPointData& data = *grid->GetPointData();
   for (vtkIdType n = 0; n < 45; ++n) {
     EXPECT_NEAR((Eigen::Vector3d(grid->GetPoint(n)) - body.nodes[n]).norm(), 0.0, 1e-15);
-    EXPECT_DOUBLE_EQ(data.GetArray("displacement")->GetComponent(n, 1), body.displacement[n].y());
+    EXPECT_DOUBLE_EQ(data.GetArray("displacement")->GetComponent(n, 1), body.fields[field::displacement][n].y());
     EXPECT_DOUBLE_EQ(data.GetArray("cauchy_stress")->GetComponent(n, 3), 10);
-    EXPECT_DOUBLE_EQ(data.GetArray("contact_pressure")->GetTuple1(n), body.contact_pressure[n]);
+    EXPECT_DOUBLE_EQ(data.GetArray("contact_pressure")->GetTuple1(n), body.fields[field::contact_pressure][n]);
     EXPECT_EQ(data.GetArray("location")->GetTuple1(n), body.node_location[n]);
   }
   EXPECT_STREQ(data.GetArray("cauchy_stress")->GetComponentName(5), "XZ");
@@ -83,15 +83,15 @@ TEST(Grid, EveryComponentStandsInItsPlace) {
   // x, y and z of a vector and the six stresses come back in their order, each node's its own.
   BodyResult body = body_scene();
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
-    body.displacement[n] = {1.0 + n, 100.0 + n, 200.0 + n};
-    for (int c = 0; c < 6; ++c) body.cauchy_stress[n][c] = 1000.0 * (c + 1) + n;
+    body.fields[field::displacement][n] = {1.0 + n, 100.0 + n, 200.0 + n};
+    for (int c = 0; c < 6; ++c) body.fields[field::cauchy_stress][n][c] = 1000.0 * (c + 1) + n;
   }
   const auto file = fresh_folder("components") / "body.vtu";
   write_body(body, {}, file);
   const auto grid = read(file);
   for (vtkIdType n = 0; n < 45; ++n) {
-    for (int c = 0; c < 3; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("displacement")->GetComponent(n, c), body.displacement[n][c]);
-    for (int c = 0; c < 6; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("cauchy_stress")->GetComponent(n, c), body.cauchy_stress[n][c]);
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("displacement")->GetComponent(n, c), body.fields[field::displacement][n][c]);
+    for (int c = 0; c < 6; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("cauchy_stress")->GetComponent(n, c), body.fields[field::cauchy_stress][n][c]);
   }
   EXPECT_STREQ(grid->GetPointData()->GetArray("displacement")->GetComponentName(0), "X");
 }
@@ -114,7 +114,7 @@ TEST(Grid, ARigidBodyIsItsSkinInVtksNodeOrder) {
   BodyResult body = body_scene();
   body.cells.clear();
   body.cell_layer.clear();
-  body.cauchy_stress.clear();
+  for (const char* name : {"cauchy_stress", "von_mises", "principal_stress"}) body.fields.remove(std::string_view(name));
   const auto file = fresh_folder("rigid") / "body.vtu";
   write_body(body, evaluated(body), file);
   const auto grid = read(file);
@@ -167,7 +167,7 @@ TEST(Grid, GarmentFieldsComeBackThroughVtksReader) {
 TEST(Grid, AFieldOfTheWrongLengthIsRefused) {
   // A field shorter than the mesh throws and names itself, instead of leaving a file on which ParaView crashes.
   BodyResult body = body_scene();
-  body.coverage.pop_back();
+  body.fields[field::coverage].pop_back();
   EXPECT_THROW(write_body(body, {}, fresh_folder("short") / "body.vtu"), std::runtime_error);
 }
 

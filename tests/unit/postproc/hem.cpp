@@ -35,7 +35,7 @@ BodyResult tube(int around, int along) {
         for (int i = 0; i < 3; ++i) facet[3 * j + i] = (2 * b + j) * 2 * around + (2 * a + i) % (2 * around);
       body.skin_facets.push_back(facet);
     }
-  body.displacement.assign(body.nodes.size(), Eigen::Vector3d::Zero());
+  body.fields.set(field::displacement, std::vector<Eigen::Vector3d>(body.nodes.size(), Eigen::Vector3d::Zero()));
   body.locations = {"all", "the top"};
   for (const auto& x : body.nodes) body.node_location.push_back(x.z() > high - 0.012 ? 1 : 0);
   return body;
@@ -73,7 +73,7 @@ RunResult worn(int around, int along, int fine, double line_load) {
   edge("lower", low), edge("upper", high);
   garment.current.push_back(on_tube(0.0, 0.5 * (low + high)));  // farthest from both
   const SkinPressure all = transfer(run.body.skin_facets, run.body.nodes.size(), run.body.nodes, run.samples);
-  run.body.contact_pressure = all.pressure, run.body.coverage = all.coverage;
+  run.body.fields.set(field::contact_pressure, all.pressure), run.body.fields.set(field::coverage, all.coverage);
   return run;
 }
 
@@ -101,7 +101,7 @@ TEST(Hems, TheLargestPressureBesideThemDoesNotFollowTheMesh) {
   for (const int around : {24, 36, 48}) {
     RunResult run = worn(around, around / 2, 8, 2.0);
     const double inside = keep_hems_apart(cell_of(around, around / 2), run);
-    const double largest = *std::max_element(run.body.contact_pressure.begin(), run.body.contact_pressure.end());
+    const double largest = *std::max_element(run.body.fields[field::contact_pressure].begin(), run.body.fields[field::contact_pressure].end());
     EXPECT_GT(largest, 1.5 * pressure_at(high)) << around;
     low_peak = std::min(low_peak, largest), high_peak = std::max(high_peak, largest);
     const double border = pressure_at(high - 2.0 * std::numbers::pi * radius / 24.0);
@@ -139,15 +139,15 @@ TEST(Hems, PointsWithinTheStripAreTheEdges) {
 TEST(Hems, LocationsLeaveThemOut) {
   RunResult run = worn(24, 12, 8, 50.0);
   keep_hems_apart(cell_of(24, 12), run);
-  run.body.coverage.assign(run.body.nodes.size(), 0.0);
+  run.body.fields[field::coverage].assign(run.body.nodes.size(), 0.0);
   for (std::size_t n = 0; n < run.body.nodes.size(); ++n) {
     const double z = run.body.nodes[n].z();
     if (z < low || z > high) continue;
-    run.body.coverage[n] = 1.0;
-    run.body.contact_pressure[n] = z > high - 0.02 ? 5000.0 : pressure_at(z);
-    run.body.pressure_inside[n] = run.body.hem[n] == 1.0 ? 0.0 : run.body.contact_pressure[n];
+    run.body.fields[field::coverage][n] = 1.0;
+    run.body.fields[field::contact_pressure][n] = z > high - 0.02 ? 5000.0 : pressure_at(z);
+    run.body.fields[field::pressure_inside][n] = run.body.fields[field::hem][n] == 1.0 ? 0.0 : run.body.fields[field::contact_pressure][n];
   }
-  run.body.largest_inside = run.body.pressure_inside;
+  run.body.fields[field::largest_inside] = run.body.fields[field::pressure_inside];
   const Evaluation evaluation = evaluate(run, std::nullopt);
   EXPECT_EQ(evaluation.locations[0].pressures_of, "cover beside hems");
   EXPECT_LT(evaluation.locations[0].max_pressure, pressure_at(high));
@@ -160,13 +160,13 @@ TEST(Hems, LocationsLeaveThemOut) {
 TEST(Hems, TheLargestPressureIsThatOfALocation) {
   RunResult run = worn(24, 12, 8, 50.0);
   const double largest = keep_hems_apart(cell_of(24, 12), run);
-  run.body.coverage.assign(run.body.nodes.size(), 1.0);
+  run.body.fields[field::coverage].assign(run.body.nodes.size(), 1.0);
   double of_locations = 0.0;
   for (const LocationRow& row : evaluate(run, std::nullopt).locations)
     if (row.pressures_of != "hem") of_locations = std::max(of_locations, row.max_pressure);
-  EXPECT_GT(largest, *std::max_element(run.body.pressure_inside.begin(), run.body.pressure_inside.end()));
+  EXPECT_GT(largest, *std::max_element(run.body.fields[field::pressure_inside].begin(), run.body.fields[field::pressure_inside].end()));
   EXPECT_EQ(of_locations, largest);
-  run.body.coverage.assign(run.body.nodes.size(), 0.0);  // a location that the garment does not cover bears nothing
+  run.body.fields[field::coverage].assign(run.body.nodes.size(), 0.0);  // a location that the garment does not cover bears nothing
   for (const LocationRow& row : evaluate(run, std::nullopt).locations) EXPECT_EQ(row.max_pressure, 0.0) << row.name;
 }
 
@@ -176,12 +176,12 @@ TEST(Hems, WithoutContactOrEdgesNothingIsLeftOut) {
   RunResult bare = run;
   bare.samples.clear();
   keep_hems_apart(0.01, bare);
-  EXPECT_TRUE(bare.hems.empty() && bare.body.hem.empty() && bare.body.pressure_inside.empty());
+  EXPECT_TRUE(bare.hems.empty() && !bare.body.fields.has(field::hem) && !bare.body.fields.has(field::pressure_inside));
   run.garment.edges.clear();
   keep_hems_apart(0.01, run);
   EXPECT_TRUE(run.hems.empty());
-  EXPECT_EQ(*std::max_element(run.body.hem.begin(), run.body.hem.end()), 0.0);
-  EXPECT_EQ(run.body.pressure_inside, run.body.contact_pressure);
+  EXPECT_EQ(*std::max_element(run.body.fields[field::hem].begin(), run.body.fields[field::hem].end()), 0.0);
+  EXPECT_EQ(run.body.fields[field::pressure_inside], run.body.fields[field::contact_pressure]);
 }
 
 }  // namespace

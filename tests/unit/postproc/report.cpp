@@ -266,7 +266,7 @@ TEST(ComparisonPage, PutsRunsSideBySide) {
   write_results(run, evaluate(run, {}), first);
   std::ofstream(first / "case.echo.toml") << "[garment]\nfabric = \"A\"\norder = 2\n[[load]]\nforce = \"1 N\"\n";
   run.numbers["mean_contact_pressure_Pa"] = 330.0;
-  for (double& p : run.body.contact_pressure) p *= 1.1;
+  for (double& p : run.body.fields[field::contact_pressure]) p *= 1.1;
   write_results(run, evaluate(run, {}), second);
   std::ofstream(second / "case.echo.toml") << "[garment]\nfabric = \"B\"\norder = 2\n[[load]]\nforce = \"1 N\"\n";
   const std::string html = comparison_page({first, second});

@@ -35,33 +35,41 @@ inline BodyResult body_scene() {
   body.layers = {"muscle", "skin"};
   body.cell_layer = {0, 1};
   body.locations = {"Front thigh", "Side thigh"};
+  std::vector<Eigen::Vector3d> displacement;
+  std::vector<double> pressure, coverage;
+  std::vector<Stress> stress;
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     const bool skin = n >= 30;
     body.node_location.push_back(!skin ? -1 : n % 5 < 3 ? 0 : 1);
-    body.displacement.emplace_back(1e-3 * n, -2e-5 * n, n == 7 ? 0.25 : 0.0);
-    body.contact_pressure.push_back(skin ? 300.0 : 0.0);
-    body.coverage.push_back(skin && n % 5 < 3 ? 1.0 : 0.0);
-    body.cauchy_stress.push_back((Eigen::Matrix<double, 6, 1>() << 100 + 1.0 * n, 50, -20, 10, 5, -1e-7).finished());
+    displacement.emplace_back(1e-3 * n, -2e-5 * n, n == 7 ? 0.25 : 0.0);
+    pressure.push_back(skin ? 300.0 : 0.0);
+    coverage.push_back(skin && n % 5 < 3 ? 1.0 : 0.0);
+    stress.push_back((Stress() << 100 + 1.0 * n, 50, -20, 10, 5, -1e-7).finished());
   }
+  body.fields.set(field::displacement, displacement);
+  body.fields.set(field::contact_pressure, pressure);
+  body.fields.set(field::coverage, coverage);
+  add_stress(body.fields, stress);
   return body;
 }
 
 inline GarmentResult garment_scene() {
   GarmentResult garment;
+  std::vector<double> pressure;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {
       garment.pattern.emplace_back(0.1 * i, 0.1 * j);
       garment.placed.emplace_back(0.1 * i, 0.1 * j, 0.0);
       garment.current.emplace_back(0.11 * i, 0.1 * j, 0.02);
-      garment.contact_pressure.push_back(10.0 * (i + j));
+      pressure.push_back(10.0 * (i + j));
     }
   garment.triangles = {{0, 2, 6, 1, 4, 3}, {2, 8, 6, 5, 7, 4}};
-  garment.tension_warp = {20, 21};
-  garment.tension_weft = {10, 11};
-  garment.shear = {0.5, -0.5};
-  garment.stretch_warp = {1.1, 1.2};
-  garment.stretch_weft = {1.05, 0.95};
-  garment.wrinkled = {0, 1};
+  garment.fields.set(field::contact_pressure, pressure);
+  garment.fields.set(field::tension_warp, {20, 21});
+  garment.fields.set(field::tension_weft, {10, 11});
+  garment.fields.set(field::shear, {0.5, -0.5});
+  garment.fields.set(field::stretch, {{1.1, 1.05}, {1.2, 0.95}});
+  garment.fields.set(field::wrinkled, {0, 1});
   return garment;
 }
 

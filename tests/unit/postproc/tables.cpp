@@ -72,8 +72,8 @@ TEST(Listing, DisplacementsParseBackWithTheirExtrema) {
   for (std::size_t n = 0; n < rows.size(); ++n) {
     EXPECT_EQ(rows[n][0], n + 1.0);
     for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(rows[n][1 + c], body.displacement[n][c], five_digits * std::abs(body.displacement[n][c]));
-    EXPECT_NEAR(rows[n][4], body.displacement[n].norm(), five_digits * body.displacement[n].norm());
+      EXPECT_NEAR(rows[n][1 + c], body.fields[field::displacement][n][c], five_digits * std::abs(body.fields[field::displacement][n][c]));
+    EXPECT_NEAR(rows[n][4], body.fields[field::displacement][n].norm(), five_digits * body.fields[field::displacement][n].norm());
   }
   EXPECT_NE(out.str().find("DEGREE OF FREEDOM LISTING"), std::string::npos);
   const std::regex tail(
@@ -90,10 +90,10 @@ TEST(Listing, StressesParseBack) {
   const auto rows = rows_of(out.str(), 5);
   ASSERT_EQ(rows.size(), body.nodes.size());
   for (std::size_t n = 0; n < rows.size(); ++n) {
-    const Eigen::Vector3d s = principal_stresses(body.cauchy_stress[n]);
+    const Eigen::Vector3d s = principal_stresses(body.fields[field::cauchy_stress][n]);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(rows[n][1 + c], s[c], five_digits * std::abs(s[c]));
     EXPECT_NEAR(rows[n][4], s[0] - s[2], five_digits * (s[0] - s[2]));
-    EXPECT_NEAR(rows[n][5], von_mises(body.cauchy_stress[n]), five_digits * von_mises(body.cauchy_stress[n]));
+    EXPECT_NEAR(rows[n][5], von_mises(body.fields[field::cauchy_stress][n]), five_digits * von_mises(body.fields[field::cauchy_stress][n]));
   }
 }
 
@@ -122,8 +122,8 @@ TEST(Stress, InvariantsOfKnownStates) {
 TEST(Evaluate, MeanIsWeightedByCoveredArea) {
   // A location half covered at 100 Pa and half at 300 Pa has the mean of its areas; without cover it has no rating.
   RunResult run = run_scene();
-  for (std::size_t n = 30; n < 45; ++n) run.body.contact_pressure[n] = n < 35 ? 100 : 300;  // rows j = 0, 1, 2
-  run.body.displacement.assign(45, Eigen::Vector3d::Zero());
+  for (std::size_t n = 30; n < 45; ++n) run.body.fields[field::contact_pressure][n] = n < 35 ? 100 : 300;  // rows j = 0, 1, 2
+  run.body.fields[field::displacement].assign(45, Eigen::Vector3d::Zero());
   const Evaluation evaluation = evaluate(run, trial());
   const LocationRow& front = evaluation.locations[0];
   // Rows j = 0 and 2 have a quarter of the height each, row 1 half of it.
@@ -145,10 +145,10 @@ TEST(Evaluate, MeanIsWeightedByTheCoveredPartOfEachArea) {
   // Nodes that are covered in part weigh by that part: row j = 0 at 100 Pa by 0.4 of a quarter, row 1 at 300 Pa by 0.9 of a half, row
   // 2 at 200 Pa whole.
   RunResult run = run_scene();
-  run.body.displacement.assign(45, Eigen::Vector3d::Zero());
+  run.body.fields[field::displacement].assign(45, Eigen::Vector3d::Zero());
   for (std::size_t n = 30; n < 45; ++n) {
-    run.body.contact_pressure[n] = n < 35 ? 100 : n < 40 ? 300 : 200;
-    run.body.coverage[n] = n < 35 ? 0.4 : n < 40 ? 0.9 : 1.0;
+    run.body.fields[field::contact_pressure][n] = n < 35 ? 100 : n < 40 ? 300 : 200;
+    run.body.fields[field::coverage][n] = n < 35 ? 0.4 : n < 40 ? 0.9 : 1.0;
   }
   const LocationRow front = evaluate(run, std::nullopt).locations[0];
   EXPECT_NEAR(front.coverage, 0.1 + 0.45 + 0.25, 1e-9);

@@ -117,7 +117,7 @@ TEST(Supports, MoveWithTheLoad) {
     ++states;
     for (const int node : meshes.body.surface("upper")->nodes) {
       const bool on_bone = std::count(meshes.body.bone_nodes.begin(), meshes.body.bone_nodes.end(), node) > 0;  // which stands still
-      EXPECT_NEAR(result.body.displacement[node].z(), on_bone ? 0.0 : way * 1e-3, 1e-15);
+      EXPECT_NEAR(result.body.fields[postproc::field::displacement][node].z(), on_bone ? 0.0 : way * 1e-3, 1e-15);
     }
   };
   EXPECT_EQ(solver::solve(solver::make_model(c, meshes.body), meshes, {}, {2, keep}).status, "converged");
@@ -206,7 +206,7 @@ void expect_rigid_skin(const postproc::RunResult& result) {
   EXPECT_EQ(result.truth.stage, "rigid skin");
   EXPECT_THAT(result.message, HasSubstr("what is reported is the garment on the rigid skin (tier L1)"));
   EXPECT_NEAR(result.numbers.at("mean_contact_pressure_Pa"), on_rigid_skin, 0.03 * on_rigid_skin);
-  for (const Eigen::Vector3d& u : result.body.displacement) EXPECT_EQ(u.norm(), 0.0);
+  for (const Eigen::Vector3d& u : result.body.fields[postproc::field::displacement]) EXPECT_EQ(u.norm(), 0.0);
 }
 
 // Where nothing of the body converged, the garment on the rigid skin is the result, and the run is partial. With friction it
@@ -249,7 +249,7 @@ Slipping slipping(const postproc::GarmentResult& garment) {
     const Eigen::Vector3d &a = garment.current[t[0]], &b = garment.current[t[1]], &c = garment.current[t[2]];
     const double one = (b - a).cross(c - a).norm();
     int corners = 0;
-    for (int k = 0; k < 3; ++k) corners += garment.slip[t[k]] == 2.0;
+    for (int k = 0; k < 3; ++k) corners += garment.fields[postproc::field::slip][t[k]] == 2.0;
     area += one, share.corners += one * corners / 3.0, share.mixed += corners % 3 != 0 ? one : 0.0;
   }
   return {share.corners / area, share.mixed / area};
@@ -283,9 +283,9 @@ TEST(Slip, StandsAtTheBoundOfTheCase) {
   int slips = 0;
   for (const auto& t : garment.triangles)
     for (int k = 0; k < 3; ++k) {
-      const double bound = 0.08 * garment.contact_pressure[t[k]], traction = garment.shear_traction[t[k]].norm();
+      const double bound = 0.08 * garment.fields[postproc::field::contact_pressure][t[k]], traction = garment.fields[postproc::field::shear_traction][t[k]].norm();
       ASSERT_LE(traction, bound * (1.0 + 1e-6));
-      if (garment.slip[t[k]] != 2.0) continue;
+      if (garment.fields[postproc::field::slip][t[k]] != 2.0) continue;
       ASSERT_GE(traction, 0.85 * bound);
       ++slips;
     }
@@ -298,7 +298,7 @@ TEST(Numbers, TensionAndPressureOnARigidTube) {
   tube.tier = input::Tier::L1, tube.around = 16;
   const postproc::RunResult result = run(tube);
   const double tension = 1000.0 * 1.25 * (1.25 * 1.25 - 1.0) / 2.0;  // 351.6 N/m
-  for (const double found : result.garment.tension_weft) EXPECT_NEAR(found, tension, 0.01 * tension);
+  for (const double found : result.garment.fields[postproc::field::tension_weft]) EXPECT_NEAR(found, tension, 0.01 * tension);
   EXPECT_NEAR(result.numbers.at("mean_contact_pressure_Pa"), tension / tube.radius, 0.01 * tension / tube.radius);
 }
 

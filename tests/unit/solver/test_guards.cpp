@@ -92,8 +92,8 @@ TEST(Guards, GatheredClothIsNamedAndContractionIsNot) {
   Worn worn(tube);
   auto& garment = worn.result.garment;
   const double contracted = std::sqrt(1.0 - 0.5 * (1.25 * 1.25 - 1.0));
-  std::fill(garment.stretch_weft.begin(), garment.stretch_weft.end(), 1.25);
-  std::fill(garment.stretch_warp.begin(), garment.stretch_warp.end(), contracted);
+  auto& stretch = garment.fields[postproc::field::stretch];
+  std::fill(stretch.begin(), stretch.end(), Eigen::Vector2d(contracted, 1.25));
   worn.look();
   EXPECT_LT(worn.result.numbers.at("largest_gathering"), 1e-12);
   EXPECT_EQ(worn.warning("gathered cloth"), nullptr);
@@ -104,7 +104,7 @@ TEST(Guards, GatheredClothIsNamedAndContractionIsNot) {
     const Eigen::Vector2d a = p[k[1]] - p[k[0]], b = p[k[2]] - p[k[0]];
     const double part = 0.5 * (a.x() * b.y() - a.y() * b.x());
     area += part;
-    if (garment.current[k[0]].z() > 0.03) garment.stretch_warp[t] = 0.7 * contracted, folded += part;
+    if (garment.current[k[0]].z() > 0.03) stretch[t].x() = 0.7 * contracted, folded += part;
   }
   worn.look();
   const Warning* w = worn.warning("gathered cloth");
@@ -151,8 +151,8 @@ TEST(Guards, StrainOfTheBodyIsMeasuredAndNamed) {
   Worn worn(small());
   const Eigen::Matrix3d F = Eigen::Vector3d(2.5, 0.5, 0.3).asDiagonal();
   for (std::size_t n = 0; n < worn.meshes.body.nodes.size(); ++n)
-    worn.result.body.displacement[n] = F * worn.meshes.body.nodes[n] - worn.meshes.body.nodes[n];
-  const solver::BodyStrain strain = solver::body_strain(worn.meshes.body, worn.result.body.displacement);
+    worn.result.body.fields[postproc::field::displacement][n] = F * worn.meshes.body.nodes[n] - worn.meshes.body.nodes[n];
+  const solver::BodyStrain strain = solver::body_strain(worn.meshes.body, worn.result.body.fields[postproc::field::displacement]);
   EXPECT_NEAR(strain.largest_stretch, 2.5, 1e-9);
   EXPECT_NEAR(strain.smallest_volume_ratio, 2.5 * 0.5 * 0.3, 1e-9);
   worn.look();

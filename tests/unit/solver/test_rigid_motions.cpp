@@ -95,7 +95,7 @@ TEST(RigidMotions, ABalancedBodyFloatsWithoutReactions) {
     const Eigen::Vector3d reaction = a.result.balance.reactions.at("free motions of the body");
     EXPECT_LE(reaction.norm(), 1e-9 * 2e3 * 0.01);
     EXPECT_LE(a.result.numbers.at("free_motions_share_of_load"), 1e-9);
-    for (const auto& stress : a.result.body.cauchy_stress)
+    for (const auto& stress : a.result.body.fields[postproc::field::cauchy_stress])
       EXPECT_LE((stress + 2e3 * Eigen::Matrix<double, 6, 1>(1, 1, 1, 0, 0, 0)).norm(), 1e-6 * 2e3) << to_string(kind);
   }
 }

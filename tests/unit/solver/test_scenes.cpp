@@ -230,7 +230,7 @@ TEST(Parts, TwoGarmentsAreTwoParts) {
     const auto& part = result.garment.parts[g];
     ASSERT_EQ(one.garment.pattern.size(), static_cast<std::size_t>(part.end_node - part.first_node));
     for (int n = part.first_node; n < part.end_node; ++n)
-      EXPECT_NEAR(result.garment.contact_pressure[n], one.garment.contact_pressure[n - part.first_node], 1e-5 * 9000.0) << part.name;
+      EXPECT_NEAR(result.garment.fields[postproc::field::contact_pressure][n], one.garment.fields[postproc::field::contact_pressure][n - part.first_node], 1e-5 * 9000.0) << part.name;
     const std::string edge = part.name + ", upper edge";
     EXPECT_LE((result.balance.reactions.at(edge) - one.balance.reactions.at("upper edge")).norm(), 1e-6 * one.balance.contact_force);
   }
