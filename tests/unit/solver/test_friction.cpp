@@ -159,14 +159,14 @@ TEST(Friction, RenewedQuadratureKeepsTheTractions) {
   rubbed.update();
   const auto before = tractions();
   const Eigen::VectorXd force_before = force();
-  const auto points_before = rubbed.scene.find<solver::Contact>()->places(rubbed.state).size();
+  const auto points_before = rubbed.scene.find<solver::Contact>()->point_forces(rubbed.state).size();
   for (int node = 0; node < rubbed.scene.layout()["garment"].count; ++node) {  // a cut elsewhere
     auto x = rubbed.state.values.segment<3>(rubbed.scene.layout()["garment"](node));
     x = Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ()) * x;
   }
   rubbed.scene.renew(rubbed.state);
   rubbed.update();
-  EXPECT_NE(rubbed.scene.find<solver::Contact>()->places(rubbed.state).size(), points_before);
+  EXPECT_NE(rubbed.scene.find<solver::Contact>()->point_forces(rubbed.state).size(), points_before);
   rubbed.state.values = rubbed.state.history.get<solver::FrictionHistory>("friction").anchor;  // back; the quadrature is cut there again
   rubbed.scene.renew(rubbed.state);
   rubbed.update();
