@@ -132,7 +132,6 @@ Json donning_view(const Json& summary) {
   return rows;
 }
 
-/// A list and whether there is anything in it.
 /// Largest amount of a field's entries that are numbers.
 double largest_of(const NamedField& field) {
   double largest = 0.0;
@@ -157,6 +156,7 @@ Json fields_view(const ShownRun& run) {
   return rows;
 }
 
+/// A list and whether there is anything in it.
 void put_list(Json& view, const std::string& name, const Json& rows) {
   view[name] = rows;
   view["has_" + name] = !rows.empty();

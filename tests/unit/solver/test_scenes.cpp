@@ -210,14 +210,20 @@ TEST(Parts, ARigidBodySaysWhatItLeavesOut) {
   EXPECT_TRUE(says(plan.parts_in, "quadratic triangular facets"));
 }
 
+/// Sleeves "low", at the bottom, and "high" on one tube with a rigid skin; lengths and place in m.
+input::Case two_sleeves(double low, double high, double high_at, double taper = 0.0) {
+  TubeCase tube;
+  tube.tier = input::Tier::L1, tube.length = 0.12, tube.taper = taper;
+  input::Case c = describe_tube(tube);
+  c.garments.push_back(c.garments.front());
+  c.garments[0].name = "low", c.garments[0].pattern.length = low;
+  c.garments[1].name = "high", c.garments[1].pattern.length = high, c.garments[1].position = high_at;
+  return c;
+}
+
 // Two sleeves on one tube far enough apart press as each does alone, and each has its own unknowns, contact and edges.
 TEST(Parts, TwoGarmentsAreTwoParts) {
-  TubeCase tube;
-  tube.tier = input::Tier::L1, tube.length = 0.12;
-  input::Case both = describe_tube(tube);
-  both.garments.push_back(both.garments.front());
-  both.garments[0].name = "low", both.garments[0].pattern.length = 0.04;
-  both.garments[1].name = "high", both.garments[1].pattern.length = 0.03, both.garments[1].position = 0.08;
+  input::Case both = two_sleeves(0.04, 0.03, 0.08);
   both.garments[1].pattern.flat_circumference *= 1.1;
   const postproc::RunResult result = tests::solve(both, make_meshes(both));
   EXPECT_EQ(result.status, "converged");
@@ -238,12 +244,8 @@ TEST(Parts, TwoGarmentsAreTwoParts) {
 
 // Of two sleeves on a taper the one that rubs stays; the other is held by nothing, and the run says which and does not converge.
 TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
-  TubeCase tube;
-  tube.tier = input::Tier::L1, tube.length = 0.12, tube.taper = 0.1;
-  input::Case c = describe_tube(tube);
-  c.garments.push_back(c.garments.front());
-  c.garments[0].name = "rough", c.garments[0].pattern.length = 0.03;
-  c.garments[1].name = "smooth", c.garments[1].pattern.length = 0.03, c.garments[1].position = 0.08;
+  input::Case c = two_sleeves(0.03, 0.03, 0.08, 0.1);
+  c.garments[0].name = "rough", c.garments[1].name = "smooth";
   for (auto& garment : c.garments) garment.held.clear();
   c.contacts.push_back(c.contacts.front());
   c.contacts[0].slave = "rough", c.contacts[0].friction = 0.4;
@@ -257,12 +259,7 @@ TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
 
 // Garments over one another do not touch each other in the scene, and the plan says so; side by side there is nothing to say.
 TEST(Parts, GarmentsOverOneAnotherAreSaid) {
-  TubeCase tube;
-  tube.tier = input::Tier::L1, tube.length = 0.12;
-  input::Case c = describe_tube(tube);
-  c.garments.push_back(c.garments.front());
-  c.garments[0].name = "low", c.garments[0].pattern.length = 0.06;
-  c.garments[1].name = "high", c.garments[1].pattern.length = 0.06, c.garments[1].position = 0.05;
+  input::Case c = two_sleeves(0.06, 0.06, 0.05);
   EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of low with high: not available yet; over one another at heights 50 to 60 mm"));
   c.garments[1].position = 0.06;
   EXPECT_FALSE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of low with high"));
