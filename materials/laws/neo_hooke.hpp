@@ -1,6 +1,6 @@
 // Neo-Hooke: W = mu/2 (J^(-2/3) I1 - 3) + U(J). The network theory's energy; right for small and moderate stretch.
 // Source: Treloar, Trans. Faraday Soc. 39 (1943) 36-41; isochoric split: Simo & Miehe, Comput. Methods Appl. Mech.
-// Engrg. 98 (1992) 41-104. Defined in the header because an element calls it at every point of every iteration.
+// Engrg. 98 (1992) 41-104.
 #pragma once
 
 #include "materials/laws/first_invariant.hpp"

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -32,66 +31,18 @@ concept Split = requires(const Law& law, const Eigen::Matrix3d& F) {
   law.volumetric(1.0);
 };
 
-inline bool is_split(const SolidLaw& law) {
-  return std::visit([]<class Law>(const Law&) { return Split<Law>; }, law);
-}
-
+bool is_split(const SolidLaw& law);
 /// Isochoric part at F, det F > 0 (the caller's duty: steps are bounded before inversion). is_split(law) must hold.
-inline SolidResponse isochoric(const SolidLaw& law, const Eigen::Matrix3d& F) {
-  return std::visit(
-      [&]<class Law>(const Law& l) -> SolidResponse {
-        if constexpr (Split<Law>) return l.isochoric(F);
-        throw std::logic_error("a law without split has no isochoric part");
-      },
-      law);
-}
+SolidResponse isochoric(const SolidLaw& law, const Eigen::Matrix3d& F);
 /// Volumetric part at J > 0. is_split(law) must hold.
-inline VolumetricResponse volumetric(const SolidLaw& law, double J) {
-  return std::visit(
-      [&]<class Law>(const Law& l) -> VolumetricResponse {
-        if constexpr (Split<Law>) return l.volumetric(J);
-        throw std::logic_error("a law without split has no volumetric part");
-      },
-      law);
-}
-
-// P = P_iso + U' cof F,  A = A_iso + U'' cof (x) cof + U' dcof/dF,  dcof_iJ/dF_kL = (cof_iJ cof_kL - cof_iL cof_kJ)/J.
-template <Split Law>
-SolidResponse coupled(const Law& law, const Eigen::Matrix3d& F) {
-  const Eigen::Matrix3d cof = cofactor(F);
-  const double J = determinant(F, cof);
-  const VolumetricResponse v = law.volumetric(J);
-  SolidResponse r = law.isochoric(F);
-  r.energy += v.energy;
-  r.stress += v.pressure * cof;
-  const Eigen::Matrix<double, 9, 1> n = components(cof);
-  r.tangent += (v.modulus + v.pressure / J) * n * n.transpose();
-  add_swapped(r.tangent, -v.pressure / J, cof);
-  return r;
-}
+VolumetricResponse volumetric(const SolidLaw& law, double J);
 /// The whole law at F, det F > 0: energy, first Piola stress and tangent.
-inline SolidResponse coupled(const SolidLaw& law, const Eigen::Matrix3d& F) {
-  return std::visit(
-      [&]<class Law>(const Law& l) {
-        if constexpr (Split<Law>)
-          return coupled(l, F);
-        else
-          return l.coupled(F);
-      },
-      law);
-}
+SolidResponse coupled(const SolidLaw& law, const Eigen::Matrix3d& F);
 
 /// Moduli of the undeformed state, Pa.
-inline double initial_shear_modulus(const SolidLaw& law) {
-  return std::visit([](const auto& l) { return l.initial_shear_modulus(); }, law);
-}
-inline double initial_bulk_modulus(const SolidLaw& law) {
-  return std::visit([](const auto& l) { return l.initial_bulk_modulus(); }, law);
-}
-inline double initial_youngs_modulus(const SolidLaw& law) {
-  const double mu = initial_shear_modulus(law), kappa = initial_bulk_modulus(law);
-  return 9.0 * kappa * mu / (3.0 * kappa + mu);
-}
+double initial_shear_modulus(const SolidLaw& law);
+double initial_bulk_modulus(const SolidLaw& law);
+double initial_youngs_modulus(const SolidLaw& law);
 
 /// A named tissue of the shipped data: law, parameters, range and source.
 struct Tissue {

@@ -2,7 +2,25 @@
 
 #include <Eigen/Dense>
 
+#include "solver/fem/plane_shape.hpp"
+
 namespace snug::solver {
+
+Eigen::Matrix<double, 6, 1> garment_values(int order, const Eigen::Vector3d& L) {
+  const Eigen::Vector2d xi = L.tail<2>();
+  if (order == 2) return fem::plane_values<fem::Element::tri6>(xi);
+  Eigen::Matrix<double, 6, 1> N = Eigen::Matrix<double, 6, 1>::Zero();
+  N.head<3>() = fem::plane_values<fem::Element::tri3>(xi);
+  return N;
+}
+
+Eigen::Matrix<double, 6, 2> garment_slopes(int order, const Eigen::Vector3d& L) {
+  const Eigen::Vector2d xi = L.tail<2>();
+  if (order == 2) return fem::plane_shape<fem::Element::tri6>(xi).dN;
+  Eigen::Matrix<double, 6, 2> dN = Eigen::Matrix<double, 6, 2>::Zero();
+  dN.topRows<3>() = fem::plane_shape<fem::Element::tri3>(xi).dN;
+  return dN;
+}
 
 PatternPoint pattern_point(int order, const Eigen::Matrix<double, 2, 6>& nodes, const Eigen::Vector3d& L) {
   const Eigen::Matrix<double, 6, 2> dN = garment_slopes(order, L);

@@ -5,27 +5,13 @@
 
 #include <vector>
 
-#include "solver/fem/plane_shape.hpp"
-
 namespace snug::solver {
 
 /// Values on a mesh of the given order, in six slots: linear triangles give their mid-edge nodes nothing.
-inline Eigen::Matrix<double, 6, 1> garment_values(int order, const Eigen::Vector3d& L) {
-  const Eigen::Vector2d xi = L.tail<2>();
-  if (order == 2) return fem::plane_values<fem::Element::tri6>(xi);
-  Eigen::Matrix<double, 6, 1> N = Eigen::Matrix<double, 6, 1>::Zero();
-  N.head<3>() = fem::plane_values<fem::Element::tri3>(xi);
-  return N;
-}
+Eigen::Matrix<double, 6, 1> garment_values(int order, const Eigen::Vector3d& L);
 
 /// d N_a / d (xi, eta) on a mesh of the given order.
-inline Eigen::Matrix<double, 6, 2> garment_slopes(int order, const Eigen::Vector3d& L) {
-  const Eigen::Vector2d xi = L.tail<2>();
-  if (order == 2) return fem::plane_shape<fem::Element::tri6>(xi).dN;
-  Eigen::Matrix<double, 6, 2> dN = Eigen::Matrix<double, 6, 2>::Zero();
-  dN.topRows<3>() = fem::plane_shape<fem::Element::tri3>(xi).dN;
-  return dN;
-}
+Eigen::Matrix<double, 6, 2> garment_slopes(int order, const Eigen::Vector3d& L);
 
 /// The pattern at L of a triangle with `nodes` (2 x 6, m), whose edges bend with their mid-edge nodes (order 2).
 struct PatternPoint {

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "materials/laws/solid_law.hpp"
+#include "materials/laws/tensor.hpp"
 
 namespace snug::testing {
 
