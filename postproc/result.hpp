@@ -167,6 +167,7 @@ struct RunResult {
   std::vector<DonningRow> donning;  ///< empty without friction
   std::vector<Phase> phases;
   std::map<std::string, long> linear_solver;  ///< "factorisations", "solutions", "krylov_iterations", "ranks"
+  std::string factor;                         ///< how the last factor was made: order of elimination, precision
   double max_penetration = 0.0;   ///< m
   double peak_memory = 0.0;       ///< bytes
   int increments = 0, iterations = 0;

@@ -270,6 +270,7 @@ Json summary_document(const RunResult& run, const Evaluation& evaluation, const 
   json["seconds"] = total_seconds(run);
   json["phases"] = phases_json(run.phases);
   json["linear_solver"] = object(run.linear_solver);
+  if (!run.factor.empty()) json["linear_solver"]["factor"] = run.factor;
   json["peak_memory_bytes"] = run.peak_memory;
   json["mesh_quality"] = object(provenance.mesh_quality);
   json["command"] = provenance.command;

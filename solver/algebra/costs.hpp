@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace snug::solver {
 
@@ -12,11 +13,13 @@ struct Costs {
   double factorisation = 0.0;  ///< s: analysis and factor
   double solution = 0.0;       ///< s: FGMRES with its applications of the factor
   int factorisations = 0, solutions = 0, iterations = 0;
+  std::string factor;          ///< how the last one was made
 
   Costs& operator+=(const Costs& other) {
     search += other.search, pattern += other.pattern, assembly += other.assembly;
     factorisation += other.factorisation, solution += other.solution;
     factorisations += other.factorisations, solutions += other.solutions, iterations += other.iterations;
+    if (!other.factor.empty()) factor = other.factor;
     return *this;
   }
 };

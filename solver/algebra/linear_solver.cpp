@@ -15,16 +15,55 @@ namespace snug::solver {
 
 namespace {
 
-constexpr double exact = 1e-10;       // of a solve with a fresh factor
-// With a lagged factor: about half of what a factorisation costs from 50k unknowns on. No measured time decides, so that a
-// run can be repeated to the last bit, and on any number of ranks.
-constexpr int most_iterations = 20;
+// Of a solve with a fresh factor: what it goes for, and what does where round-off ends it before.
+constexpr double exact = 1e-12, nearly_exact = 1e-10;
+// With a lagged factor: about half of what a factorisation costs. Its work grows with n^2 and that of an iteration with n^(4/3)
+// (nested dissection of a solid: George, SIAM J. Numer. Anal. 10 (1973) 345-363), and at 150k unknowns it costs as much as 40
+// iterations. No measured time decides, so that a run can be repeated to the last bit, and on any number of ranks.
+int most_iterations(int unknowns) { return std::clamp(static_cast<int>(20.0 * std::pow(unknowns / 150e3, 2.0 / 3.0)), 10, 60); }
+constexpr int fresh_iterations = 20;
+// A solve is given up where it contracts too slowly to end in time: by so much more than what the iterations so far make expect,
+// since FGMRES grows faster as it goes.
+constexpr int watched_from = 4;
+constexpr double superlinear = 1.5;
+constexpr double stalled = 0.1;  // an iteration with a fresh factor that brings less than this
+// What a solve with a lagged factor has to bring where its iterations end before its tolerance: one more step of Newton's method
+// costs less than a factor.
+constexpr double good_enough = 1e-3;
+// From so many unknowns on a factor in single precision, and a compressed one, cost less (docs/growth.md).
+constexpr int single_from = 30000, low_rank_from = 300000;
 // With the factor of the symmetric part: 11 to 28 were seen on bars that bend under a pressure of twice their shear modulus.
 // The factor of the whole costs twice as much, in time and in memory.
 constexpr int most_unsymmetric = 60;
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// What a solve is allowed, and where it stood at its start.
+struct Allowed {
+  double tolerance = 0.0, acceptable = 0.0;  ///< to go for; what does where no more is to be had
+  int most = 0;
+  bool watched = false;  ///< it may be given up before
+  double start = 0.0, last = 0.0;
+};
+
+PetscErrorCode judge(KSP, PetscInt iteration, PetscReal norm, KSPConvergedReason* reason, void* context) {
+  Allowed& allowed = *static_cast<Allowed*>(context);
+  if (iteration == 0) allowed.start = norm;
+  const double before = std::exchange(allowed.last, norm);
+  const double goal = allowed.tolerance * allowed.start;
+  const auto too_slow = [&] {
+    if (!allowed.watched || iteration < watched_from) return false;
+    const double contraction = std::log(norm / allowed.start);
+    return contraction >= 0.0 || iteration * std::log(allowed.tolerance) / contraction > superlinear * allowed.most;
+  };
+  *reason = KSP_CONVERGED_ITERATING;
+  if (!std::isfinite(norm)) *reason = KSP_DIVERGED_NANORINF;
+  else if (norm <= goal) *reason = KSP_CONVERGED_RTOL;
+  else if (!allowed.watched && iteration > 0 && norm <= allowed.acceptable * allowed.start && norm > stalled * before) *reason = KSP_CONVERGED_ITS;
+  else if (iteration >= allowed.most || too_slow()) *reason = KSP_DIVERGED_ITS;
+  return 0;
 }
 
 PetscErrorCode apply_inverse(PC shell, Vec in, Vec out) {
@@ -40,11 +79,14 @@ struct LinearSolver::Petsc {
   Mat symmetric_part = nullptr;  ///< where the matrix is not symmetric
   Vec right = nullptr, solution = nullptr;
   KSP ksp = nullptr;
-  std::unique_ptr<Preconditioner> inverse = mumps_factor();  ///< of the last matrix that was factored; its pattern may be an earlier one
+  FactorKind kind = FactorKind::double_precision;
+  std::unique_ptr<Preconditioner> inverse = mumps_factor(kind);  ///< of the last matrix that was factored; its pattern may be an earlier one
   bool factored = false;    ///< `inverse` can be applied
   bool analysed = false;    ///< `inverse` is of the present pattern
   bool symmetric = true;
+  bool precise = false;     ///< FGMRES did not get there with a factor in single precision
   bool whole = false;       ///< FGMRES did not get there with the symmetric part: `inverse` is of the whole, until the next pattern
+  Allowed allowed;
   int unknowns = 0, first = 0, end = 0;
   int negative_pivots = -1;
   Eigen::VectorXd scale;    ///< D of all unknowns
@@ -52,6 +94,22 @@ struct LinearSolver::Petsc {
   void destroy_factor() {
     inverse->clear();
     factored = analysed = false;
+  }
+  void choose_factor() {
+    const bool doubled = precise || unknowns < single_from;
+    const FactorKind wanted = doubled ? FactorKind::double_precision : unknowns < low_rank_from ? FactorKind::single_precision : FactorKind::low_rank;
+    if (wanted == kind) return;
+    kind = wanted;
+    factored = analysed = false;
+    inverse = mumps_factor(kind);
+    use_inverse();
+  }
+  void use_inverse() {
+    PC shell = nullptr;
+    KSPGetPC(ksp, &shell);
+    PCSetType(shell, PCSHELL);
+    PCShellSetContext(shell, inverse.get());
+    PCShellSetApply(shell, apply_inverse);
   }
   void destroy_system() {
     KSPDestroy(&ksp);
@@ -113,15 +171,17 @@ struct LinearSolver::Petsc {
     return factored;
   }
 
-  bool iterate(double tolerance, int limit, int& iterations) {
-    KSPSetTolerances(ksp, tolerance, 0.0, PETSC_DEFAULT, limit);
+  bool iterate(const Allowed& what, int& iterations) {
+    allowed = what;
+    KSPSetTolerances(ksp, what.tolerance, 0.0, PETSC_DEFAULT, what.most);
     if (KSPSolve(ksp, right, solution) != 0) return false;
     KSPConvergedReason reason = KSP_DIVERGED_ITS;
     KSPGetConvergedReason(ksp, &reason);
     PetscInt taken = 0;
     KSPGetIterationNumber(ksp, &taken);
     iterations += static_cast<int>(taken);
-    return reason > 0;
+    if (reason > 0) return true;
+    return allowed.last <= allowed.acceptable * allowed.start;
   }
 };
 
@@ -148,13 +208,11 @@ void LinearSolver::reset(SparseScatter& scatter, int unknowns, bool symmetric) {
   MatCreateVecs(p.matrix, &p.solution, &p.right);
   KSPCreate(PETSC_COMM_WORLD, &p.ksp);
   KSPSetType(p.ksp, KSPFGMRES);
-  if (!symmetric) KSPGMRESSetRestart(p.ksp, most_unsymmetric);
+  KSPGMRESSetRestart(p.ksp, most_unsymmetric);
+  KSPSetConvergenceTest(p.ksp, judge, &p.allowed, nullptr);
   KSPSetOperators(p.ksp, p.matrix, p.matrix);
-  PC shell = nullptr;
-  KSPGetPC(p.ksp, &shell);
-  PCSetType(shell, PCSHELL);
-  PCShellSetContext(shell, p.inverse.get());
-  PCShellSetApply(shell, apply_inverse);
+  p.use_inverse();
+  p.choose_factor();
 }
 
 LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x,
@@ -177,23 +235,29 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
     const double before = start;
     return (start = now()) - before;
   };
-  const int most = p.symmetric || p.whole ? most_iterations : most_unsymmetric;
-  if (lagged) report.ok = p.iterate(lag.tolerance, most, report.iterations);
+  const bool near = p.symmetric || p.whole;  // what is factored is what is solved
+  if (lagged) report.ok = p.iterate({lag.tolerance, good_enough, near ? most_iterations(p.unknowns) : most_unsymmetric, true}, report.iterations);
   report.solve_seconds = lap();
   const auto refactor = [&] {
     report.refactored = true;
     const bool factored = p.renew_factor();
     report.factor_seconds += lap();
-    report.ok = factored && p.iterate(exact, most, report.iterations);
+    report.ok = factored && p.iterate({exact, nearly_exact, near ? fresh_iterations : most_unsymmetric}, report.iterations);
     p.factored = report.ok;
     report.solve_seconds += lap();
   };
   if (!report.ok) refactor();
+  if (!report.ok && p.kind != FactorKind::double_precision) {
+    p.precise = true;
+    p.choose_factor();
+    refactor();
+  }
   if (!report.ok && !p.symmetric && !p.whole) {
     p.whole = true, p.analysed = false;
     refactor();
   }
   report.negative_pivots = p.negative_pivots;
+  report.factor = p.inverse->description();
   p.get(x);
   report.ok = report.ok && x.allFinite();
   return report;
@@ -203,7 +267,7 @@ bool LinearSolver::solve_again(const Eigen::VectorXd& right, Eigen::VectorXd& x)
   Petsc& p = *petsc_;
   p.put(right);
   int iterations = 0;
-  const bool ok = p.factored && p.iterate(exact, p.symmetric || p.whole ? most_iterations : most_unsymmetric, iterations);
+  const bool ok = p.factored && p.iterate({exact, nearly_exact, p.symmetric || p.whole ? fresh_iterations : most_unsymmetric}, iterations);
   p.get(x);
   return ok && x.allFinite();
 }

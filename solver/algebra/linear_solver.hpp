@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <string>
 
 #include "solver/algebra/sparse_scatter.hpp"
 
@@ -22,6 +23,7 @@ struct LinearReport {
   int iterations = 0;         ///< of FGMRES, those of a lagged factor that gave way included
   int negative_pivots = -1;   ///< of the last factor, -1 when unknown and of a matrix that is not symmetric
   double factor_seconds = 0.0, solve_seconds = 0.0;
+  std::string factor;         ///< how it was made
 };
 
 /// Symmetric (possibly indefinite) systems, and others near to symmetric ones: their symmetric part is factored and FGMRES

@@ -4,6 +4,7 @@
 #include <petscpc.h>
 
 #include <memory>
+#include <string>
 
 namespace snug::solver {
 
@@ -16,11 +17,20 @@ class Preconditioner {
   virtual PetscErrorCode apply(Vec in, Vec out) = 0;
   /// Of the matrix that it was made of: negative eigenvalues by Sylvester's law of inertia; -1 where it cannot tell.
   virtual int negative_pivots() const { return -1; }
+  /// How it was made, in a few words; empty before.
+  virtual std::string description() const { return {}; }
   /// Gives its memory back.
   virtual void clear() = 0;
 };
 
-/// MUMPS, multifrontal, in double precision: Cholesky-like (LDL^T) for a symmetric matrix, LU for others.
-std::unique_ptr<Preconditioner> mumps_factor();
+/// How exact a factor is. In single precision it takes half the memory and little more than half the time; FGMRES in double
+/// precision then needs a few iterations more. `low_rank`: what is far apart is compressed (block low-rank, 1e-4), which pays where
+/// fronts are large.
+enum class FactorKind { double_precision, single_precision, low_rank };
+
+/// MUMPS, multifrontal: LDL^T for a symmetric matrix, LU for others, in the order of `nested_dissection`.
+/// Sources: Amestoy, Duff, L'Excellent & Koster, SIAM J. Matrix Anal. Appl. 23 (2001) 15-41; Amestoy, Buttari, L'Excellent & Mary,
+/// ACM Trans. Math. Software 45 (2019) 2 (low rank).
+std::unique_ptr<Preconditioner> mumps_factor(FactorKind kind);
 
 }  // namespace snug::solver

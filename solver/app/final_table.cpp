@@ -109,6 +109,7 @@ std::string linear_text(const postproc::RunResult& run) {
   if (count("solutions") == 0) return {};
   std::string text = fmt::format("  linear systems     {} solved with {} factors, {} iterations of FGMRES",
                                  count("solutions"), count("factorisations"), count("krylov_iterations"));
+  if (!run.factor.empty()) text += ", " + run.factor;
   if (count("ranks") > 1) text += fmt::format(", {} ranks", count("ranks"));
   return text + "\n";
 }

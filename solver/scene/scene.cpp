@@ -208,8 +208,10 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   scatter_.add_diagonal(diagonal);
   Eigen::VectorXd x;
   const LinearReport report = solver_.solve(scatter_, right, x, lag);
+  if (report.refactored) of_minimum_ = report.ok && tangent == Tangent::full && report.negative_pivots <= saddle_rows();
   costs_.factorisation += report.factor_seconds, costs_.solution += report.solve_seconds;
   costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;
+  costs_.factor = report.factor;
   for (int i = 0; i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
   numbering_.spread(step);

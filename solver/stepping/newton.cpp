@@ -73,6 +73,8 @@ bool descend(Scene& scene, State& state, const Eigen::VectorXd& step, double rou
 
 // Residual below which the answer is near enough for the quadrature to be cut for good.
 constexpr double near = 1e-3;
+// Residual above which the tangent changes too much from step to step for the inertia of an earlier one to count.
+constexpr double far = 0.1;
 // Vertices that come or go while the last factor still does for the others: each costs FGMRES an iteration or two.
 constexpr int few_vertices = 200;  // one in so many
 // Reduction of the residual by a step of Newton's method that converges quadratically.
@@ -82,13 +84,13 @@ constexpr double fast = 0.1;
 // Walker, SIAM J. Sci. Comput. 17 (1996), choice 2: gamma = 0.3, alpha = 2), which keeps quadratic convergence and spends
 // little where friction's is linear; of the order of the residual (choice 1's limit) where convergence is fast anyway; tighter
 // while vertices still come and go, so that they do not follow its errors.
-// A fresh factor each time while the active set still changes or the step before did not bring the residual down, and far
-// from the solution, where the tangent changes too much from step to step and its inertia is in doubt. The residual that
-// counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
+// The last factor is tried wherever its inertia speaks for the present tangent: it was of a minimum, and since then the residual
+// has come down and few vertices have come or gone. Whether it still does is for the linear solver to see by its contraction. The
+// residual that counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
 Lag forcing(const NewtonSettings& settings, double residual, double reduction, bool settled, int changed) {
-  const double loosest = changed > 0 ? 1e-4 : 2e-2;
+  const double loosest = changed > 0 || residual > near ? 1e-4 : 2e-2;
   const double wanted = reduction < fast ? 0.1 * residual : 0.3 * reduction * reduction;
-  return {settings.may_lag && settled && residual < near, std::clamp(wanted, 1e-10, loosest)};
+  return {settings.may_lag && settled && residual < far, std::clamp(wanted, 1e-10, loosest)};
 }
 
 // A step towards lower energy: where the full tangent is not positive definite on the constraints (more negative pivots
@@ -199,7 +201,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (patience.lost(now, iteration, downhill && !constrained && row.step >= long_stride)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
     if (iteration >= most) return Outcome::too_many_iterations;
-    const bool settled = iteration > 0 && now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.5 * condensed_before;
+    const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.9 * condensed_before && scene.factor_is_of_minimum();
     const double reduction = now.condensed / condensed_before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
     if (too_far && boost < largest_boost) {  // hold back and repeat; what contact has seen on the way is kept (a taper: 44 iterations, not 188)

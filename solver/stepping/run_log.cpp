@@ -28,6 +28,7 @@ void RunLog::account(Scene& scene, const std::string& name) {
   result_.linear_solver["solutions"] += fresh.solutions;
   result_.linear_solver["krylov_iterations"] += fresh.iterations;
   result_.linear_solver["ranks"] = ranks();
+  if (!fresh.factor.empty()) result_.factor = fresh.factor;
   for (auto& p : result_.phases)
     if (p.name == name)
       p.parts = {{"search", costs.search},

@@ -1,0 +1,181 @@
+// The order of elimination, factors in both precisions, and when a lagged one gives way.
+#include <gtest/gtest.h>
+#include <petscmat.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "solver/algebra/elimination_order.hpp"
+#include "solver/algebra/linear_solver.hpp"
+#include "solver/algebra/preconditioner.hpp"
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::FactorKind;
+
+/// Compressed rows of a symmetric pattern.
+struct Rows {
+  std::vector<int> offsets = {0}, columns;
+  solver::RowPattern pattern() const {
+    const int n = static_cast<int>(offsets.size()) - 1;
+    return {0, n, n, offsets.data(), columns.data()};
+  }
+};
+
+/// side x side nodes with three unknowns each, a node coupled with its eight neighbours. `shuffled`: numbered by lot.
+Rows grid(int side, bool shuffled) {
+  std::vector<int> number(side * side), at(side * side);
+  std::iota(number.begin(), number.end(), 0);
+  if (shuffled) std::shuffle(number.begin(), number.end(), std::mt19937(3));
+  for (int node = 0; node < side * side; ++node) at[number[node]] = node;
+  Rows rows;
+  for (int place = 0; place < side * side; ++place) {
+    const int i = at[place] % side, j = at[place] / side;
+    std::set<int> neighbours;
+    for (int di = -1; di <= 1; ++di)
+      for (int dj = -1; dj <= 1; ++dj)
+        if (i + di >= 0 && i + di < side && j + dj >= 0 && j + dj < side) neighbours.insert(number[(j + dj) * side + i + di]);
+    for (int c = 0; c < 3; ++c) {
+      for (const int k : neighbours)
+        for (int d = 0; d < 3; ++d) rows.columns.push_back(3 * k + d);
+      rows.offsets.push_back(static_cast<int>(rows.columns.size()));
+    }
+  }
+  return rows;
+}
+
+/// Entries below the diagonal of the Cholesky factor when unknowns are eliminated by their place.
+long factor_entries(const Rows& rows, const std::vector<int>& place) {
+  const int n = static_cast<int>(place.size());
+  std::vector<std::set<int>> later(n);  // by place
+  for (int u = 0; u < n; ++u)
+    for (const int v : rows.pattern().row(u))
+      if (place[v] > place[u]) later[place[u] - 1].insert(place[v] - 1);
+  long entries = 0;
+  for (int p = 0; p < n; ++p) {
+    entries += static_cast<long>(later[p].size());
+    if (later[p].empty()) continue;
+    const int parent = *later[p].begin();
+    later[parent].insert(std::next(later[p].begin()), later[p].end());
+  }
+  return entries;
+}
+
+// The order is a permutation that keeps the unknowns of a node together and fills the factor far less than the order by
+// rows of the grid, however the nodes are numbered.
+TEST(EliminationOrder, FillsLessThanTheOrderAlongTheGrid) {
+  constexpr int side = 48;
+  const Rows along = grid(side, false);
+  std::vector<int> natural(along.pattern().count);
+  std::iota(natural.begin(), natural.end(), 1);
+  const long banded = factor_entries(along, natural);
+  for (const bool shuffled : {false, true}) {
+    const Rows rows = grid(side, shuffled);
+    const std::vector<int> place = solver::nested_dissection(rows.pattern());
+    ASSERT_EQ(place.size(), natural.size());
+    std::vector<int> sorted = place;
+    std::ranges::sort(sorted);
+    EXPECT_EQ(sorted, natural);
+    for (std::size_t u = 0; u < place.size(); u += 3) {
+      EXPECT_EQ(place[u + 1], place[u] + 1) << u;
+      EXPECT_EQ(place[u + 2], place[u] + 2) << u;
+    }
+    EXPECT_LT(factor_entries(rows, place), 0.55 * banded) << shuffled;
+  }
+}
+
+// Graphs of one vertex and of vertices without any neighbour are ordered, too.
+TEST(EliminationOrder, TakesWhatHasNoEdges) {
+  Rows full, diagonal;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) full.columns.push_back(j);
+    full.offsets.push_back(static_cast<int>(full.columns.size()));
+    diagonal.columns.push_back(i);
+    diagonal.offsets.push_back(i + 1);
+  }
+  for (const Rows& rows : {full, diagonal}) {
+    std::vector<int> place = solver::nested_dissection(rows.pattern());
+    std::ranges::sort(place);
+    EXPECT_EQ(place, (std::vector<int>{1, 2, 3, 4}));
+  }
+}
+
+/// A chain of nodes under springs of `stiff` and soft ones between, three components each, and constraints that bind
+/// neighbours to one another: [K, G^T; G, 0].
+struct Saddle {
+  Eigen::MatrixXd matrix;
+  int constraints = 0;
+};
+Saddle chain(double stiff) {
+  constexpr int nodes = 80, bound = 25;
+  Saddle s;
+  s.constraints = bound;
+  s.matrix = Eigen::MatrixXd::Zero(3 * nodes + bound, 3 * nodes + bound);
+  for (int i = 0; i < nodes; ++i)
+    for (int c = 0; c < 3; ++c) {
+      const int u = 3 * i + c;
+      const double k = i % 4 == 0 ? stiff : 1.0;
+      s.matrix(u, u) += 0.1 + k;
+      if (i + 1 == nodes) continue;
+      s.matrix(u + 3, u + 3) += k, s.matrix(u, u + 3) -= k, s.matrix(u + 3, u) -= k;
+    }
+  for (int g = 0; g < bound; ++g) {
+    const int row = 3 * nodes + g, node = 3 * g + 1;
+    for (int c = 0; c < 3; ++c) s.matrix(row, 3 * node + c) = s.matrix(3 * node + c, row) = 0.3 + 0.2 * c;
+    s.matrix(row, 3 * node + 3) = s.matrix(3 * node + 3, row) = -1.0;
+  }
+  return s;
+}
+
+/// |A x - b| / |b| of one application of the factor, and the negative pivots that it has counted.
+std::pair<double, int> applied(FactorKind kind, const Eigen::MatrixXd& A) {
+  const auto n = static_cast<int>(A.rows());
+  Mat matrix = nullptr;
+  MatCreateSeqAIJ(PETSC_COMM_WORLD, n, n, n, nullptr, &matrix);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      if (A(i, j) != 0.0 || i == j) MatSetValue(matrix, i, j, A(i, j), INSERT_VALUES);
+  MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY);
+  MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY);
+  const auto factor = solver::mumps_factor(kind);
+  EXPECT_TRUE(factor->renew(matrix, true, true));
+  Vec in = nullptr, out = nullptr;
+  MatCreateVecs(matrix, &in, &out);
+  const Eigen::VectorXd b = random_vector(n, 1.0, 4);
+  PetscScalar* values = nullptr;
+  VecGetArray(in, &values);
+  std::copy(b.begin(), b.end(), values);
+  VecRestoreArray(in, &values);
+  EXPECT_EQ(factor->apply(in, out), 0);
+  VecGetArray(out, &values);
+  const Eigen::VectorXd x = Eigen::Map<Eigen::VectorXd>(values, n);
+  VecRestoreArray(out, &values);
+  const int negative = factor->negative_pivots();
+  VecDestroy(&in), VecDestroy(&out), MatDestroy(&matrix);
+  return {(A * x - b).norm() / b.norm(), negative};
+}
+
+// A factor in single precision solves to single precision, one in double precision to double; both count one negative pivot a
+// constraint, whose rows have no stiffness of their own, also where soft and stiff lie side by side.
+TEST(Factor, EitherPrecisionCountsTheNegativePivotsOfASaddle) {
+  for (const double stiff : {1.0, 1e3}) {
+    const Saddle saddle = chain(stiff);
+    const auto exact = applied(FactorKind::double_precision, saddle.matrix), single = applied(FactorKind::single_precision, saddle.matrix);
+    EXPECT_LT(exact.first, 1e-11) << stiff;
+    EXPECT_LT(single.first, 1e-2) << stiff;
+    EXPECT_GT(single.first, 1e-9) << stiff;
+    EXPECT_EQ(exact.second, saddle.constraints) << stiff;
+    EXPECT_EQ(single.second, saddle.constraints) << stiff;
+    EXPECT_EQ(applied(FactorKind::low_rank, saddle.matrix).second, saddle.constraints) << stiff;
+  }
+}
+
+}  // namespace
+}  // namespace snug::tests
