@@ -30,8 +30,8 @@ constexpr double stalled = 0.1;  // an iteration with a fresh factor that brings
 // What a solve with a lagged factor has to bring where its iterations end before its tolerance: one more step of Newton's method
 // costs less than a factor.
 constexpr double good_enough = 1e-3;
-// From so many unknowns on a factor in single precision, and a compressed one, cost less (docs/growth.md).
-constexpr int single_from = 30000, low_rank_from = 300000;
+// From so many unknowns on a compressed factor costs less (docs/growth.md).
+constexpr int low_rank_from = 300000;
 // With the factor of the symmetric part: 11 to 28 were seen on bars that bend under a pressure of twice their shear modulus.
 // The factor of the whole costs twice as much, in time and in memory.
 constexpr int most_unsymmetric = 60;
@@ -96,7 +96,7 @@ struct LinearSolver::Petsc {
     factored = analysed = false;
   }
   void choose_factor() {
-    const bool doubled = precise || unknowns < single_from;
+    const bool doubled = precise || unknowns < single_precision_from;
     const FactorKind wanted = doubled ? FactorKind::double_precision : unknowns < low_rank_from ? FactorKind::single_precision : FactorKind::low_rank;
     if (wanted == kind) return;
     kind = wanted;

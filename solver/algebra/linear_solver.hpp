@@ -10,6 +10,9 @@
 
 namespace snug::solver {
 
+/// From so many unknowns on a factor in single precision costs less (docs/growth.md); FGMRES makes up for it.
+constexpr int single_precision_from = 30000;
+
 /// How a solve may save the factorisation.
 struct Lag {
   bool allowed = false;

@@ -7,12 +7,15 @@
 #include <cmath>
 #include <fstream>
 
+#include "solver/algebra/linear_solver.hpp"
+
 namespace snug::solver {
 
 namespace {
 
 // Bytes by count, measured with shipped cases (peak of snug check and of snug run, 2026-11), rounded up.
-constexpr double meshing_node = 2e3, meshing_triangle = 2e3, solving_body_unknown = 3e4, solving_garment_unknown = 6e3;
+constexpr double meshing_node = 2e3, meshing_triangle = 2e3, solving_garment_unknown = 6e3;
+double solving_body_unknown(double unknowns) { return unknowns >= single_precision_from ? 2.2e4 : 3e4; }
 constexpr double of_a_run = 2e8;
 
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", 1e-9 * bytes); }
@@ -28,7 +31,7 @@ double body_bytes(const input::BodySpec& body, double around, double along, doub
   const bool quadratic = body.elements != input::Elements::Q1P0;
   const double nodes = 2.0 * around * (2.0 * along + 1.0) * (2.0 * through + 1.0);  // meshed with 27 nodes in any case
   const double unknowns = 3.0 * (quadratic ? nodes : nodes / 8.0);
-  return of_a_run + meshing_node * nodes + (deformable ? solving_body_unknown * unknowns : 0.0);
+  return of_a_run + meshing_node * nodes + (deformable ? solving_body_unknown(unknowns) * unknowns : 0.0);
 }
 
 }  // namespace

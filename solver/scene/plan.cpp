@@ -189,16 +189,18 @@ bool bends(const Model& model, const Meshes& meshes) {
 
 // Time and memory by unknowns, fitted to the scenes of tests/stability, on two cores (2026-11): a guide, no promise. A body alone
 // takes half the iterations of one with a garment, friction is let go in a stage of its own, which goes step by step where the
-// garment presses harder than the tissue is stiff, and cloth off the skin takes twice as many.
+// garment presses harder than the tissue is stiff, and cloth off the skin takes twice as many. A factor in single precision takes
+// about half of all.
 void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
   double rigid = 0.0, body = 0.0;
   for (const auto& [part, unknowns] : plan.unknowns) (part == "body" ? body : rigid) += static_cast<double>(unknowns);
   plan.seconds = 1e-4 * rigid + (body > 0.0 ? 4e-6 * std::pow(body + rigid, 1.4) : 0.0);
+  if (body + rigid >= single_precision_from) plan.seconds *= 0.45;
   if (model.garments.empty()) plan.seconds *= 0.5;
   if (model.has_friction()) plan.seconds *= 1.6;
   if (model.has_friction() && body > 0.0 && presses_hard(model, meshes)) plan.seconds *= 5.0;
   if (model.asked.solver.tier != input::Tier::L0 && bends(model, meshes)) plan.seconds *= 2.5;
-  plan.memory_bytes = 2e8 + 6e3 * rigid + 3e4 * body;
+  plan.memory_bytes = 2e8 + 6e3 * rigid + (body + rigid >= single_precision_from ? 2.2e4 : 3e4) * body;
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ constexpr double fast = 0.1;
 // has come down and few vertices have come or gone. Whether it still does is for the linear solver to see by its contraction. The
 // residual that counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
 Lag forcing(const NewtonSettings& settings, double residual, double reduction, bool settled, int changed) {
-  const double loosest = changed > 0 || residual > near ? 1e-4 : 2e-2;
+  const double loosest = changed > 0 ? 1e-4 : 2e-2;
   const double wanted = reduction < fast ? 0.1 * residual : 0.3 * reduction * reduction;
   return {settings.may_lag && settled && residual < far, std::clamp(wanted, 1e-10, loosest)};
 }

@@ -1,6 +1,7 @@
 // Speed of the kernels that a run spends its time in. Not a test: build and run the target snug_benchmark.
 #include <benchmark/benchmark.h>
 
+#include "solver/fem/plane_shape.hpp"
 #include "solver/scene/scene.hpp"
 #include "tests/verification/tube.hpp"
 
@@ -48,7 +49,7 @@ void search(benchmark::State& loop) {
   Bench bench = Bench::make();
   auto* contact = bench.scene.find<solver::Contact>();
   for (auto _ : loop) contact->update(bench.state);
-  loop.SetItemsProcessed(loop.iterations() * static_cast<long>(contact->places(bench.state).size()));
+  loop.SetItemsProcessed(loop.iterations() * static_cast<long>(contact->point_forces(bench.state).size()));
 }
 
 void assemble_and_solve(benchmark::State& loop) {
@@ -62,6 +63,20 @@ void assemble_and_solve(benchmark::State& loop) {
   loop.SetItemsProcessed(loop.iterations() * bench.scene.numbering().unknowns());
 }
 
+Eigen::Vector2d somewhere(int i) { return {0.2 + 0.001 * (i % 97), 0.3 + 0.002 * (i % 89)}; }
+
+template <fem::Element element>
+void shape(benchmark::State& loop) {
+  int i = 0;
+  for (auto _ : loop) benchmark::DoNotOptimize(fem::plane_shape<element>(somewhere(++i)));
+}
+
+template <fem::Element element>
+void shape_values(benchmark::State& loop) {
+  int i = 0;
+  for (auto _ : loop) benchmark::DoNotOptimize(fem::plane_values<element>(somewhere(++i)));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,5 +87,10 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark("contact tangent, triangles", tangent<solver::Contact>)->UseRealTime();
   benchmark::RegisterBenchmark("contact search, points", search)->UseRealTime();
   benchmark::RegisterBenchmark("assembly and factor, unknowns", assemble_and_solve)->UseRealTime();
+  benchmark::RegisterBenchmark("quad9 shape", shape<fem::Element::quad9>);
+  benchmark::RegisterBenchmark("quad4 shape", shape<fem::Element::quad4>);
+  benchmark::RegisterBenchmark("tri6 shape", shape<fem::Element::tri6>);
+  benchmark::RegisterBenchmark("quad9 values", shape_values<fem::Element::quad9>);
+  benchmark::RegisterBenchmark("tri6 values", shape_values<fem::Element::tri6>);
   benchmark::RunSpecifiedBenchmarks();
 }
