@@ -19,7 +19,7 @@ namespace {
 // no delay, and costs 60 % more work, with the same residual at the end.
 constexpr double symmetric_threshold = 1e-6, usual_threshold = 0.01;
 constexpr double compression = 1e-4;       // of blocks; at 1e-3 the count of negative pivots goes wrong
-constexpr int workspace = 30;              // per cent above the estimate, doubled where that is too little
+constexpr int workspace = 20;              // per cent above the estimate, doubled where that is too little
 constexpr int most_workspace = 500;
 
 /// MUMPS' two precisions under the same names.

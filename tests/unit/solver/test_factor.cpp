@@ -177,5 +177,58 @@ TEST(Factor, EitherPrecisionCountsTheNegativePivotsOfASaddle) {
   }
 }
 
+/// Blocks of ten nodes held together by springs of `stiff`, each on a spring of 1 to the ground and one to the next block.
+solver::LinearReport solve_blocks(double stiff, double& error) {
+  constexpr int nodes = solver::single_precision_from, block = 10;
+  solver::ElementEntries springs;
+  std::vector<double> stiffness;
+  const auto add = [&](std::vector<int> ends, double k) { springs.push(ends), stiffness.push_back(k); };
+  for (int i = 0; i < nodes; ++i) {
+    if (i % block == 0) add({i}, 1.0);
+    if (i + 1 < nodes) add({i, i + 1}, (i + 1) % block == 0 ? 1.0 : stiff);
+  }
+  std::vector<int> all(nodes);
+  std::iota(all.begin(), all.end(), 0);
+  solver::SparseScatter scatter;
+  scatter.build(solver::Numbering(all), {&springs}, 0, nodes);
+  const Eigen::VectorXd u = random_vector(nodes, 1.0, 2);  // the answer
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(nodes), x;
+  const auto assemble = [&] {
+    scatter.zero();
+    const std::vector<double> none(2, 0.0);
+    for (int e = 0; e < springs.elements(); ++e) {
+      const double k = stiffness[e];
+      const std::vector<double> matrix = springs.of(e).size() == 1 ? std::vector<double>{k} : std::vector<double>{k, -k, -k, k};
+      scatter.add(0, e, {none.data(), springs.of(e).size()}, matrix);
+    }
+  };
+  for (int e = 0; e < springs.elements(); ++e) {
+    const auto ends = springs.of(e);
+    const double force = stiffness[e] * (ends.size() == 1 ? u[ends[0]] : u[ends[0]] - u[ends[1]]);
+    right[ends[0]] += force;
+    if (ends.size() == 2) right[ends[1]] -= force;
+  }
+  solver::LinearSolver linear;
+  assemble();
+  linear.reset(scatter, nodes);
+  const solver::LinearReport report = linear.solve(scatter, right, x);
+  error = (x - u).norm() / u.norm();
+  return report;
+}
+
+// A large system is factored in single precision, and FGMRES makes its answer as good as one in double; where stiffnesses lie
+// so far apart that it cannot, the factor is made once more in double.
+TEST(Factor, InSinglePrecisionGivesWayToOneInDoubleWhereItDoesNotDo) {
+  double error = 0.0;
+  solver::LinearReport report = solve_blocks(1e2, error);
+  EXPECT_TRUE(report.ok);
+  EXPECT_NE(report.factor.find("METIS, single precision"), std::string::npos) << report.factor;
+  EXPECT_LT(error, 1e-9);
+  report = solve_blocks(1e9, error);
+  EXPECT_TRUE(report.ok);
+  EXPECT_NE(report.factor.find("METIS, double precision"), std::string::npos) << report.factor;
+  EXPECT_LT(error, 1e-5);
+}
+
 }  // namespace
 }  // namespace snug::tests
