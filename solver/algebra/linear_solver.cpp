@@ -219,7 +219,11 @@ void LinearSolver::reset(SparseScatter& scatter, int unknowns, bool symmetric) {
 LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x,
                                  const Lag& lag) {
   Petsc& p = *petsc_;
-  const bool lagged = lag.allowed && p.factored;
+  if (lag.precise) {
+    p.precise = true;
+    p.choose_factor();
+  }
+  const bool lagged = lag.allowed && !lag.precise && p.factored;
   if (!lagged) p.rescale(scatter);
   scatter.scale(p.scale);
   if (ranks() == 1) {  // the values are shared: PETSc only has to hear that they changed
@@ -258,6 +262,7 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
     refactor();
   }
   report.negative_pivots = p.negative_pivots;
+  report.single_precision = p.kind != FactorKind::double_precision;
   report.factor = p.inverse->description();
   p.get(x);
   report.ok = report.ok && x.allFinite();

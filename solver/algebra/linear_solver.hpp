@@ -17,6 +17,7 @@ constexpr int single_precision_from = 30000;
 struct Lag {
   bool allowed = false;
   double tolerance = 1e-10;  ///< |residual| / |right| in the scaled norm at which a solve with the last factor is done
+  bool precise = false;      ///< a factor in double precision, now and from here on: where the count of its negative pivots decides
 };
 
 /// What a solve did.
@@ -24,6 +25,7 @@ struct LinearReport {
   bool ok = false;
   bool refactored = false;
   int iterations = 0;         ///< of FGMRES, those of a lagged factor that gave way included
+  bool single_precision = false;  ///< the last factor is
   int negative_pivots = -1;   ///< of the last factor, -1 when unknown and of a matrix that is not symmetric
   double factor_seconds = 0.0, solve_seconds = 0.0;
   std::string factor;         ///< how it was made

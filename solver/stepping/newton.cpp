@@ -116,11 +116,16 @@ Stationary kind(const LinearReport& report, const Scene& scene) {
   return report.negative_pivots > scene.saddle_rows() ? Stationary::saddle : Stationary::minimum;
 }
 
-// The last factor near the answer tells; where there is none, one more is made.
+// The last factor near the answer tells; where there is none, one more is made. A saddle is one only by a factor in double
+// precision: a tangent that is nearly singular may have one negative pivot too many in single.
 Stationary kind_at_end(Scene& scene, const State& state, Stationary known) {
   if (known == Stationary::minimum) return known;
   Eigen::VectorXd none;
-  const LinearReport report = scene.solve(state, Tangent::full, 1e-12, {}, none);
+  LinearReport report = scene.solve(state, Tangent::full, 1e-12, {}, none);
+  if (report.ok && report.single_precision && kind(report, scene) == Stationary::saddle) {
+    scene.assemble(state, Tangent::full);
+    report = scene.solve(state, Tangent::full, 1e-12, {.precise = true}, none);
+  }
   return report.ok ? kind(report, scene) : Stationary::unknown;
 }
 

@@ -178,7 +178,7 @@ TEST(Factor, EitherPrecisionCountsTheNegativePivotsOfASaddle) {
 }
 
 /// Blocks of ten nodes held together by springs of `stiff`, each on a spring of 1 to the ground and one to the next block.
-solver::LinearReport solve_blocks(double stiff, double& error) {
+solver::LinearReport solve_blocks(double stiff, double& error, const solver::Lag& lag = {}) {
   constexpr int nodes = solver::single_precision_from, block = 10;
   solver::ElementEntries springs;
   std::vector<double> stiffness;
@@ -211,23 +211,28 @@ solver::LinearReport solve_blocks(double stiff, double& error) {
   solver::LinearSolver linear;
   assemble();
   linear.reset(scatter, nodes);
-  const solver::LinearReport report = linear.solve(scatter, right, x);
+  const solver::LinearReport report = linear.solve(scatter, right, x, lag);
   error = (x - u).norm() / u.norm();
   return report;
 }
 
 // A large system is factored in single precision, and FGMRES makes its answer as good as one in double; where stiffnesses lie
-// so far apart that it cannot, the factor is made once more in double.
+// so far apart that it cannot, and where its pivots are to decide, it is made in double.
 TEST(Factor, InSinglePrecisionGivesWayToOneInDoubleWhereItDoesNotDo) {
   double error = 0.0;
   solver::LinearReport report = solve_blocks(1e2, error);
   EXPECT_TRUE(report.ok);
   EXPECT_NE(report.factor.find("METIS, single precision"), std::string::npos) << report.factor;
+  EXPECT_TRUE(report.single_precision);
   EXPECT_LT(error, 1e-9);
   report = solve_blocks(1e9, error);
   EXPECT_TRUE(report.ok);
   EXPECT_NE(report.factor.find("METIS, double precision"), std::string::npos) << report.factor;
   EXPECT_LT(error, 1e-5);
+  report = solve_blocks(1e2, error, {.precise = true});
+  EXPECT_TRUE(report.ok);
+  EXPECT_FALSE(report.single_precision);
+  EXPECT_EQ(report.negative_pivots, 0);
 }
 
 }  // namespace
