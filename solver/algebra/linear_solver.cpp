@@ -105,6 +105,17 @@ struct LinearSolver::Petsc {
     inverse = mumps_factor(kind);
     use_inverse();
   }
+  /// A factor that is nearer to the matrix: of the whole instead of its symmetric part, then in double precision. False: there is none.
+  bool step_up() {
+    if (!symmetric && !whole) {
+      whole = true, analysed = false;
+      return true;
+    }
+    if (kind == FactorKind::double_precision) return false;
+    precise = true;
+    choose_factor();
+    return true;
+  }
   void use_inverse() {
     PC shell = nullptr;
     KSPGetPC(ksp, &shell);
@@ -252,15 +263,7 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
     report.solve_seconds += lap();
   };
   if (!report.ok) refactor();
-  if (!report.ok && p.kind != FactorKind::double_precision) {
-    p.precise = true;
-    p.choose_factor();
-    refactor();
-  }
-  if (!report.ok && !p.symmetric && !p.whole) {
-    p.whole = true, p.analysed = false;
-    refactor();
-  }
+  while (!report.ok && p.step_up()) refactor();
   report.negative_pivots = p.negative_pivots;
   report.single_precision = p.kind != FactorKind::double_precision;
   report.factor = p.inverse->description();

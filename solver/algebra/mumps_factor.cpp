@@ -186,11 +186,11 @@ class MumpsFactor : public Preconditioner {
 
   bool analyse(const RowPattern& pattern) {
     std::vector<int> place = nested_dissection(pattern);
-    ordered_ = !place.empty();
-    control(7) = ordered_ ? 1 : 0;
+    control(7) = place.empty() ? 0 : 1;
     mumps_.perm_in = place.data();
     run(1);
     mumps_.perm_in = nullptr;
+    ordered_ = mumps_.infog[6] == 1;  // what ran, not what was asked for
     analysed_ = mumps_.infog[0] >= 0;
     return analysed_;
   }
@@ -222,7 +222,7 @@ class MumpsFactor : public Preconditioner {
 
   bool low_rank_;
   bool started_ = false, analysed_ = false;
-  bool ordered_ = false;  ///< by METIS; on the first rank
+  bool ordered_ = false;  ///< by METIS
   typename Precision::Instance mumps_ = {};
   std::vector<Real> right_;
   VecScatter to_first_ = nullptr;
