@@ -126,7 +126,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)
     evaluation.locations.push_back(summarise(body, static_cast<int>(location), areas));
-  if (comfort && run.status == "converged") add_sensation(evaluation, *comfort, directory);
+  if (comfort && run.status == Status::converged) add_sensation(evaluation, *comfort, directory);
   return evaluation;
 }
 

@@ -3,11 +3,13 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <list>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -139,6 +141,14 @@ class Fields {
     else
       add(named(name, std::move(values)));
     return (*this)[name];
+  }
+  /// The values; zeros for so many entries where there are none yet.
+  template <class Value>
+  std::vector<Value>& ensure(const FieldName<Value>& name, std::size_t entries) {
+    if (has(name)) return (*this)[name];
+    std::vector<Value> zeros(entries);
+    if constexpr (!std::is_arithmetic_v<Value>) std::fill(zeros.begin(), zeros.end(), Value::Zero());
+    return set(name, std::move(zeros));
   }
   template <class Value>
   void remove(const FieldName<Value>& name) {

@@ -6,6 +6,8 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkHexahedron.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -31,12 +33,13 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// A field as an array of VTK.
+/// A field as an array of VTK, with its unit where VTK's readers and ParaView look for it (UNITS_LABEL).
 vtkSmartPointer<vtkDataArray> array_of(const NamedField& field) {
   vtkSmartPointer<vtkDataArray> array;
   if (std::holds_alternative<std::vector<int>>(field.values)) array = vtkSmartPointer<vtkIntArray>::New();
   else array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(field.name.c_str());
+  if (!field.unit.empty()) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit);
   const int count = std::max(1, static_cast<int>(field.components.size()));
   array->SetNumberOfComponents(count);
   for (std::size_t c = 0; c < field.components.size(); ++c) array->SetComponentName(static_cast<vtkIdType>(c), field.components[c].c_str());
@@ -78,7 +81,8 @@ void read_fields(vtkFieldData& data, Place place, Fields& fields) {
     std::optional<NamedField::Values> values = values_of(*array);
     if (!values) continue;
     const FieldMeaning known = meaning_of(array->GetName());
-    NamedField field{array->GetName(), std::string(known.unit), std::string(known.description), place, std::move(*values), {}};
+    const char* unit = array->HasInformation() ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : nullptr;
+    NamedField field{array->GetName(), unit ? std::string(unit) : std::string(known.unit), std::string(known.description), place, std::move(*values), {}};
     for (int c = 0; array->GetNumberOfComponents() > 1 && c < array->GetNumberOfComponents(); ++c)
       field.components.emplace_back(array->GetComponentName(c) ? array->GetComponentName(c) : std::to_string(c + 1));
     fields.add(std::move(field));

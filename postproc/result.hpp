@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <iosfwd>
 #include <limits>
 #include <map>
 #include <optional>
@@ -141,15 +142,23 @@ struct Warning {
 
 /// What a reported state is: where on the load path it stands, and what is not its own there.
 struct StateTruth {
-  std::string stage;              ///< "rigid skin", "friction", "body"; empty where there is no path
+  std::string stage;              ///< name of the stage; empty where there is no path
+  bool deformable = false;        ///< the body gives way there
   double fraction = 1.0;          ///< of that stage
   double stiffening = 1.0;        ///< factor on the body's stiffness, 1: its own
   double friction_bound = 1.0;    ///< factor on the bound of friction, 1: its own, infinite: the garment sticks
 };
 
+/// How a run ended: at its answer, on the way to it with what is there kept, or with nothing that is an answer.
+enum class Status { failed, partial, converged };
+
+/// The word of files and tables: "failed", "partial" or "converged".
+const char* name_of(Status status);
+std::ostream& operator<<(std::ostream& out, Status status);
+
 struct RunResult {
   std::string title, tier;
-  std::string status;             ///< converged | partial | failed
+  Status status = Status::failed;
   std::string message;            ///< why it is not converged, and the remedy
   StateTruth truth;               ///< of the state that everything here belongs to
   std::vector<std::string> remedies;     ///< what to try when it is not converged, one sentence each

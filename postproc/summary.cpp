@@ -219,11 +219,11 @@ double total_seconds(const RunResult& run) {
 void add_outcome(Json& json, const RunResult& run) {
   json["title"] = run.title;
   json["tier"] = run.tier;
-  json["status"] = run.status;
+  json["status"] = name_of(run.status);
   json["message"] = run.message;
   if (!run.truth.stage.empty()) json["state"] = state_json(run.truth);
   json["what_to_try"] = run.remedies;
-  if (!run.truth.stage.empty() && run.status != "converged") json["state"]["text"] = state_text(run);
+  if (!run.truth.stage.empty() && run.status != Status::converged) json["state"]["text"] = state_text(run);
   json["warnings"] = warnings_json(run);
   json["assumptions"] = run.assumptions;
   json["plan"] = {{"in", run.parts_in}, {"out", run.parts_out}};

@@ -6,37 +6,29 @@
 
 namespace snug::solver {
 
-void SparseScatter::collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) {
-  groups_.assign(groups.size(), {});
-  touch_offset_.assign(rows() + 1, 0);
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    Group& group = groups_[g];
-    group.row_offset = groups[g]->offset;
-    group.row.resize(groups[g]->entry.size());
-    group.offset.assign(1, 0);
-    group.touched.assign(groups[g]->elements(), 0);
-    for (int e = 0; e < groups[g]->elements(); ++e) {
-      const auto entries = groups[g]->of(e);
-      for (std::size_t i = 0; i < entries.size(); ++i) {
-        const int unknown = numbering.unknown(entries[i]);
-        const bool ours = unknown >= first_row_ && unknown < end_row_;
-        group.row[group.row_offset[e] + i] = ours ? unknown - first_row_ : -1;
-        if (!ours) continue;
-        ++touch_offset_[unknown - first_row_ + 1];
-        group.touched[e] = 1;
-      }
-      group.offset.push_back(group.offset.back() + (group.touched[e] ? entries.size() * entries.size() : 0));
-    }
-    group.position.assign(group.offset.back(), -1);
-  }
-  for (int r = 0; r < rows(); ++r) touch_offset_[r + 1] += touch_offset_[r];
-  touch_.resize(touch_offset_.back());
-  std::vector<int> next(touch_offset_.begin(), touch_offset_.end() - 1);
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (int e = 0; e < groups[g]->elements(); ++e)
-      for (int i = groups_[g].row_offset[e]; i < groups_[g].row_offset[e + 1]; ++i)
-        if (const int row = groups_[g].row[i]; row >= 0)
-          touch_[next[row]++] = {static_cast<int>(g), e, i - groups_[g].row_offset[e]};
+SparseScatter::Touches SparseScatter::collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) const {
+  // each row once an element, however often the element names it
+  std::vector<Touch> last(rows(), {-1, -1});
+  const auto each = [&](const auto& take) {
+    std::fill(last.begin(), last.end(), Touch{-1, -1});
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (int e = 0; e < groups[g]->elements(); ++e)
+        for (const int entry : groups[g]->of(e)) {
+          const int row = numbering.unknown(entry) - first_row_;
+          const Touch touch{static_cast<int>(g), e};
+          if (numbering.unknown(entry) < first_row_ || row >= rows() || last[row] == touch) continue;
+          last[row] = touch;
+          take(row, touch);
+        }
+  };
+  Touches touches;
+  touches.offset.assign(rows() + 1, 0);
+  each([&](int row, Touch) { ++touches.offset[row + 1]; });
+  for (int r = 0; r < rows(); ++r) touches.offset[r + 1] += touches.offset[r];
+  touches.list.resize(touches.offset.back());
+  std::vector<int> next(touches.offset.begin(), touches.offset.end() - 1);
+  each([&](int row, Touch touch) { touches.list[next[row]++] = touch; });
+  return touches;
 }
 
 void SparseScatter::collect_folds(const Numbering& numbering, const ElementEntries& entries, Group& group) {
@@ -58,41 +50,84 @@ void SparseScatter::collect_folds(const Numbering& numbering, const ElementEntri
   }
 }
 
-void SparseScatter::fill_row(int row, const std::vector<const ElementEntries*>& groups, const Numbering& numbering,
-                             std::vector<int>& where) {
-  const std::size_t begin = column_.size();
-  for (int t = touch_offset_[row]; t < touch_offset_[row + 1]; ++t)
-    for (const int entry : groups[touch_[t].group]->of(touch_[t].element))
-      if (const int column = numbering.unknown(entry); column >= 0 && where[column] < static_cast<int>(begin)) {
-        where[column] = static_cast<int>(begin);
-        column_.push_back(column);
-      }
-  std::sort(column_.begin() + begin, column_.end());
-  for (std::size_t k = begin; k < column_.size(); ++k) where[column_[k]] = static_cast<int>(k);
-  diagonal_[row] = where[row + first_row_];
-  for (int t = touch_offset_[row]; t < touch_offset_[row + 1]; ++t) {
-    const auto entries = groups[touch_[t].group]->of(touch_[t].element);
-    Group& group = groups_[touch_[t].group];
-    int* position = group.position.data() + group.offset[touch_[t].element] + touch_[t].local * entries.size();
-    for (std::size_t j = 0; j < entries.size(); ++j) {
-      const int column = numbering.unknown(entries[j]);
-      position[j] = column < 0 ? -1 : where[column];
+std::vector<char> SparseScatter::fill_columns(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) {
+  const Touches touches = collect_touches(numbering, groups);
+  std::vector<char> like_before(rows(), 0);
+  std::vector<int> seen(numbering.unknowns(), -1);  // the last row that has the column
+  row_offset_.assign(1, 0);
+  column_.clear();
+  for (int row = 0; row < rows(); ++row) {
+    const std::size_t begin = column_.size();
+    if (row > 0 && std::ranges::equal(touches.of(row), touches.of(row - 1))) {
+      like_before[row] = 1;
+      column_.resize(begin + (begin - row_offset_[row - 1]));
+      std::copy(column_.begin() + row_offset_[row - 1], column_.begin() + begin, column_.begin() + begin);
+    } else {
+      for (const Touch& touch : touches.of(row))
+        for (const int entry : groups[touch.group]->of(touch.element))
+          if (const int column = numbering.unknown(entry); column >= 0 && seen[column] != row) seen[column] = row, column_.push_back(column);
+      std::sort(column_.begin() + begin, column_.end());
+    }
+    row_offset_.push_back(static_cast<int>(column_.size()));
+  }
+  column_.shrink_to_fit();
+  return like_before;
+}
+
+void SparseScatter::place(const Numbering& numbering, const ElementEntries& entries, const std::vector<char>& like_before, Group& group) const {
+  group.run_offset.assign(1, 0), group.place_offset.assign(1, 0);
+  group.size.assign(entries.elements(), 0);
+  for (int e = 0; e < entries.elements(); ++e) {
+    const auto own = entries.of(e);
+    const std::size_t first = group.runs.size();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      const int unknown = numbering.unknown(own[i]), row = unknown - first_row_;
+      const bool ours = unknown >= first_row_ && row < rows();
+      if (ours) group.size[e] = static_cast<int>(own.size());
+      const bool follows = group.runs.size() > first && [&] {
+        const Run& run = group.runs.back();
+        if ((run.row >= 0) != ours || (run.unknown >= 0) != (unknown >= 0)) return false;
+        return unknown < 0 || (unknown == run.unknown + run.length && (!ours || like_before[row]));
+      }();
+      if (follows) ++group.runs.back().length;
+      else group.runs.push_back({static_cast<int>(i), 1, ours ? row : -1, unknown});
+    }
+    if (group.size[e] == 0) group.runs.resize(first);
+    place_runs(first, group);
+    group.run_offset.push_back(group.runs.size()), group.place_offset.push_back(group.places.size());
+  }
+  group.runs.shrink_to_fit(), group.places.shrink_to_fit();
+}
+
+void SparseScatter::place_runs(std::size_t first, Group& group) const {
+  for (std::size_t r = first; r < group.runs.size(); ++r) {
+    const int row = group.runs[r].row;
+    if (row < 0) continue;
+    const auto begin = column_.begin() + row_offset_[row], end = column_.begin() + row_offset_[row + 1];
+    for (std::size_t c = first; c < group.runs.size(); ++c) {
+      const int column = group.runs[c].unknown;
+      group.places.push_back(column < 0 ? -1 : static_cast<int>(std::lower_bound(begin, end, column) - begin));
     }
   }
-  row_offset_.push_back(static_cast<int>(column_.size()));
 }
 
 void SparseScatter::build(const Numbering& numbering, const std::vector<const ElementEntries*>& groups, int first_row,
                           int end_row) {
   first_row_ = first_row;
   end_row_ = end_row;
-  collect_touches(numbering, groups);
-  for (std::size_t g = 0; g < groups.size(); ++g) collect_folds(numbering, *groups[g], groups_[g]);
-  row_offset_.assign(1, 0);
-  column_.clear();
+  value_ = {};  // before the new ones take their memory
+  groups_.assign(groups.size(), {});
+  const std::vector<char> like_before = fill_columns(numbering, groups);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    place(numbering, *groups[g], like_before, groups_[g]);
+    collect_folds(numbering, *groups[g], groups_[g]);
+  }
   diagonal_.assign(rows(), -1);
-  std::vector<int> where(numbering.unknowns(), -1);  // position of a column in the row being filled
-  for (int row = 0; row < rows(); ++row) fill_row(row, groups, numbering, where);
+  for (int row = 0; row < rows(); ++row) {
+    const auto begin = column_.begin() + row_offset_[row], end = column_.begin() + row_offset_[row + 1];
+    const auto found = std::lower_bound(begin, end, first_row_ + row);
+    if (found != end && *found == first_row_ + row) diagonal_[row] = static_cast<int>(found - column_.begin());
+  }
   value_.assign(column_.size(), 0.0);
   residual_ = condensed_ = Eigen::VectorXd::Zero(rows());
 }
@@ -105,7 +140,7 @@ void SparseScatter::zero() {
 
 void SparseScatter::add(int group_index, int element, std::span<const double> residual, std::span<const double> matrix) {
   const Group& group = groups_[group_index];
-  if (!group.touched[element]) return;
+  if (group.size[element] == 0) return;
   const bool bound = !group.fold_offset.empty() && group.fold_offset[element] != group.fold_offset[element + 1];
   if (!bound) return add_unfolded(group, element, residual, matrix);
   std::vector<double> force(residual.begin(), residual.end()), stiffness(matrix.begin(), matrix.end());
@@ -122,22 +157,29 @@ void SparseScatter::add(int group_index, int element, std::span<const double> re
 
 void SparseScatter::add_unfolded(const Group& group, int element, std::span<const double> residual,
                                  std::span<const double> matrix) {
-  const int* row = group.row.data() + group.row_offset[element];
-  const int n = group.row_offset[element + 1] - group.row_offset[element];
-  for (int i = 0; i < n; ++i)
-    if (row[i] >= 0) residual_[row[i]] += residual[i];
-  if (matrix.empty()) return;
-  const int* position = group.position.data() + group.offset[element];
-  for (std::size_t k = 0; k < matrix.size(); ++k)
-    if (position[k] >= 0) value_[position[k]] += matrix[k];
+  const auto runs = group.runs_of(element);
+  const int n = group.size[element];
+  const int* places = group.places.data() + group.place_offset[element];
+  for (const Run& to : runs) {
+    if (to.row < 0) continue;
+    for (int i = 0; i < to.length; ++i) {
+      residual_[to.row + i] += residual[to.local + i];
+      if (matrix.empty()) continue;
+      double* row = value_.data() + row_offset_[to.row + i];
+      const double* given = matrix.data() + static_cast<std::size_t>(to.local + i) * n;
+      for (std::size_t c = 0; c < runs.size(); ++c)
+        if (places[c] >= 0)
+          for (int k = 0; k < runs[c].length; ++k) row[places[c] + k] += given[runs[c].local + k];
+    }
+    places += runs.size();
+  }
 }
 
 void SparseScatter::add_condensed(int group_index, int element, std::span<const double> values) {
   const Group& group = groups_[group_index];
-  if (!group.touched[element]) return;
-  const int* row = group.row.data() + group.row_offset[element];
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (row[i] >= 0) condensed_[row[i]] += values[i];
+  if (group.size[element] == 0) return;
+  for (const Run& to : group.runs_of(element))
+    for (int i = 0; to.row >= 0 && i < to.length; ++i) condensed_[to.row + i] += values[to.local + i];
 }
 
 void SparseScatter::add_diagonal(const Eigen::VectorXd& values) {

@@ -37,7 +37,7 @@ class SparseScatter {
   /// Adds an element's share (n) of the condensed right side.
   void add_condensed(int group, int element, std::span<const double> values);
   /// True where the element touches an owned row.
-  bool touches(int group, int element) const { return groups_[group].touched[element] != 0; }
+  bool touches(int group, int element) const { return groups_[group].size[element] != 0; }
   /// Adds to the diagonal, one value an unknown of the owned rows.
   void add_diagonal(const Eigen::VectorXd& values);
 
@@ -62,21 +62,41 @@ class SparseScatter {
  private:
   /// A local entry of an element that is bound: what acts on it goes to another local entry, times the weight.
   struct Fold { int from, to; double weight; };
-  struct Group {
-    std::vector<std::size_t> offset;  ///< of the element's positions
-    std::vector<int> position;        ///< n x n positions in `value_`, -1: not ours
-    std::vector<int> row_offset;      ///< of the element's rows
-    std::vector<int> row;             ///< n local rows, -1: not ours
-    std::vector<char> touched;        ///< one an element: some row is ours
-    std::vector<std::size_t> fold_offset;  ///< of the element's folds; empty where the numbering binds nothing
-    std::vector<Fold> folds;
+  /// Local entries of an element whose unknowns follow one another, as those of a node do: they stand side by side in every row
+  /// of the element. Where their rows are ours these have the same columns, so that one place a run tells those of all.
+  struct Run {
+    int local, length;
+    int row;      ///< local row of the first, -1: not ours
+    int unknown;  ///< of the first, -1: none
   };
-  struct Touch { int group, element, local; };
+  struct Group {
+    std::vector<std::size_t> run_offset;    ///< of the element's runs
+    std::vector<Run> runs;
+    std::vector<std::size_t> place_offset;  ///< of the element's places
+    std::vector<int> places;                ///< (own runs) x (runs): where a run begins in a row, -1: it has no columns
+    std::vector<int> size;                  ///< entries of an element; 0: none of its rows is ours
+    std::vector<std::size_t> fold_offset;   ///< of the element's folds; empty where the numbering binds nothing
+    std::vector<Fold> folds;
+
+    std::span<const Run> runs_of(int element) const { return {runs.data() + run_offset[element], run_offset[element + 1] - run_offset[element]}; }
+  };
+  struct Touch {
+    int group, element;
+    bool operator==(const Touch&) const = default;
+  };
+  /// The elements of each row, as a jagged array.
+  struct Touches {
+    std::vector<int> offset;
+    std::vector<Touch> list;
+    std::span<const Touch> of(int row) const { return {list.data() + offset[row], static_cast<std::size_t>(offset[row + 1] - offset[row])}; }
+  };
   void collect_folds(const Numbering& numbering, const ElementEntries& entries, Group& group);
+  Touches collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) const;
+  /// Columns of all rows; tells for each whether it has the same as the one before it.
+  std::vector<char> fill_columns(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);
+  void place(const Numbering& numbering, const ElementEntries& entries, const std::vector<char>& like_before, Group& group) const;
+  void place_runs(std::size_t first, Group& group) const;
   void add_unfolded(const Group& group, int element, std::span<const double> residual, std::span<const double> matrix);
-  void collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);
-  void fill_row(int row, const std::vector<const ElementEntries*>& groups, const Numbering& numbering,
-                std::vector<int>& where);
 
   int first_row_ = 0, end_row_ = 0;
   std::vector<int> row_offset_, column_;
@@ -84,8 +104,6 @@ class SparseScatter {
   Eigen::VectorXd residual_, condensed_;
   std::vector<int> diagonal_;
   std::vector<Group> groups_;
-  std::vector<int> touch_offset_;
-  std::vector<Touch> touch_;
 };
 
 }  // namespace snug::solver

@@ -138,7 +138,7 @@ std::string phases_text(const postproc::RunResult& run) {
 
 /// What the state is, where it is not the answer: on what follows no class, rating, threshold or comfort is made.
 std::string truth_text(const postproc::RunResult& run) {
-  if (run.status == "converged" || run.truth.stage.empty()) return {};
+  if (run.status == postproc::Status::converged || run.truth.stage.empty()) return {};
   return fmt::format("  state              {}\n                     its pressures are not the answer; no class, rating, threshold or comfort is made of them\n",
                      postproc::state_text(run));
 }
@@ -162,7 +162,7 @@ std::string locations_text(const postproc::Evaluation& evaluation) {
 
 std::string final_text(const postproc::RunResult& run, const postproc::Evaluation& evaluation,
                        const std::filesystem::path& out) {
-  std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, run.status,
+  std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, name_of(run.status),
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
   text += locations_text(evaluation) + hems_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);

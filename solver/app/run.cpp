@@ -74,9 +74,9 @@ ResultList names_of_results() {
 }
 
 int status_of(const postproc::RunResult& run, const fs::path& directory) {
-  if (run.status == "converged") return done;
+  if (run.status == postproc::Status::converged) return done;
   fmt::print(stderr, "{}: error: {}; {}\n", (directory / "case.toml").string(),
-             run.status == "partial" ? "the solution stopped on its way, what converged is kept" : "nothing converged",
+             run.status == postproc::Status::partial ? "the solution stopped on its way, what converged is kept" : "nothing converged",
              run.message.empty() ? "see history.csv" : run.message);
   return not_converged;
 }
@@ -212,11 +212,11 @@ class Run : public Command {
     if (writes_ && states_ == 0)
       journal.on_change([&](const solver::Journal& now) { checkpoint.keep(now, prepared, out.aside()); });
     postproc::RunResult run = solve(prepared, states, out, states_ == 0 ? &journal : nullptr);
-    if (!writes_) return run.status == "converged" ? done : not_converged;
-    const bool nothing = run.status == "failed" && (!gave_up_ || run.increments == 0);
+    if (!writes_) return run.status == postproc::Status::converged ? done : not_converged;
+    const bool nothing = run.status == postproc::Status::failed && (!gave_up_ || run.increments == 0);
     if (nothing && gave_up_) return given_up(directory, "a step had converged");  // the earlier results are worth more
-    if (run.status != "converged" && gave_up_) {
-      run.status = "partial";
+    if (run.status != postproc::Status::converged && gave_up_) {
+      run.status = postproc::Status::partial;
       run.message = fmt::format("stopped by you ({})", StopSignals::name(signal()));
     }
     // Nothing converged: the pressures mean nothing.
@@ -232,7 +232,7 @@ class Run : public Command {
     say(final_text(run, evaluation, out.target()) + verdict_);
     if (gave_up_ && checkpoint.there()) say(fmt::format("  to go on            the same command with --resume (from {})\n", checkpoint.file().string()));
     const int status = std::max(status_of(run, directory), regression);
-    return run.status != "converged" && gave_up_ ? 128 + signal() : status;
+    return run.status != postproc::Status::converged && gave_up_ ? 128 + signal() : status;
   }
 
   /// What an earlier run has reached, if it is to be gone on from.

@@ -7,16 +7,12 @@
 #include <cmath>
 #include <fstream>
 
-#include "solver/algebra/linear_solver.hpp"
-
 namespace snug::solver {
 
 namespace {
 
-// Bytes by count, measured with shipped cases (peak of snug check and of snug run, 2026-11), rounded up.
-constexpr double meshing_node = 2e3, meshing_triangle = 2e3, solving_garment_unknown = 6e3;
-double solving_body_unknown(double unknowns) { return unknowns >= single_precision_from ? 2.2e4 : 3e4; }
-constexpr double of_a_run = 2e8;
+// Bytes by count, measured with shipped cases (peak of snug check, 2026-11), rounded up.
+constexpr double meshing_node = 2e3, meshing_triangle = 2e3;
 
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", 1e-9 * bytes); }
 
@@ -31,7 +27,7 @@ double body_bytes(const input::BodySpec& body, double around, double along, doub
   const bool quadratic = body.elements != input::Elements::Q1P0;
   const double nodes = 2.0 * around * (2.0 * along + 1.0) * (2.0 * through + 1.0);  // meshed with 27 nodes in any case
   const double unknowns = 3.0 * (quadratic ? nodes : nodes / 8.0);
-  return of_a_run + meshing_node * nodes + (deformable ? solving_body_unknown(unknowns) * unknowns : 0.0);
+  return meshing_node * nodes + memory_of_run(0.0, deformable ? unknowns : 0.0);
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ void refuse_large_garment(const input::GarmentSpec& garment, double cell_size, d
   const double sides = (2.0 * garment.pattern.flat_circumference + 2.0 * garment.pattern.length) / cell_size;
   const double triangles = area / (0.433 * cell_size * cell_size) + sides;  // equilateral, and at least one at each edge of the rim
   const double unknowns = 3.0 * triangles * (garment.order == 2 ? 2.0 : 0.5);
-  const double bytes = of_a_run + triangles * meshing_triangle + unknowns * solving_garment_unknown;
+  const double bytes = triangles * meshing_triangle + memory_of_run(unknowns, 0.0);
   if (bytes <= limit) return;
   throw input::InputError(garment.where,
                           fmt::format("a pattern of {:.4g} m x {:.4g} m in triangles of {:.3g} mm has about {:.2g} of them, which take about {}; there are {}",

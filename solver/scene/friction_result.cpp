@@ -33,29 +33,6 @@ void fill_balance(const Forces& forces, bool deformable, postproc::Balance& bala
   }
 }
 
-// Tractions of the vertices, per current area as the pressure is; mid-edge nodes get the mean of their edge.
-void fill_garment(const Contact& contact, const State& state, const Vertices& vertices, const mesh::GarmentMesh& mesh, postproc::Fields& garment) {
-  const std::vector<double>& pressure = garment[field::contact_pressure];
-  std::vector<Eigen::Vector3d> shear(mesh.pattern.size(), Eigen::Vector3d::Zero());
-  std::vector<double> slip(mesh.pattern.size(), 0.0);
-  for (const auto& triangle : mesh.triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const int node = triangle[k], i = contact.multiplier_of(mesh.merged[node]);
-      const double p = contact.pressure(state, i);
-      const double per_current_area = p != 0.0 ? pressure[node] / p : 0.0;
-      shear[node] = per_current_area * vertices[i].traction;
-      slip[node] = static_cast<double>(vertices[i].slip);
-    }
-    for (int k = 0; k < 3; ++k) {
-      const int a = triangle[k], b = triangle[(k + 1) % 3], middle = triangle[3 + k];
-      shear[middle] = 0.5 * (shear[a] + shear[b]);
-      slip[middle] = std::max(slip[a], slip[b]);
-    }
-  }
-  garment.add(named(field::shear_traction, std::move(shear)));
-  garment.add(named(field::slip, std::move(slip)));
-}
-
 void fill_numbers(postproc::RunResult& result) {
   double slipping = 0.0, area = 0.0, largest = 0.0;
   for (const auto& sample : result.samples)
@@ -67,13 +44,11 @@ void fill_numbers(postproc::RunResult& result) {
 
 }  // namespace
 
-void add_friction(const Friction& friction, const Contact& contact, const State& state, bool deformable, const mesh::GarmentMesh& garment,
-                  postproc::Fields& fields, std::vector<postproc::ContactSample>& samples, postproc::Balance& balance) {
-  const Vertices vertices = friction.vertex_tractions(state);
+void add_friction(const Friction& friction, const Contact& contact, const State& state, bool deformable,
+                  std::vector<postproc::ContactSample>& samples, postproc::Balance& balance) {
   const Forces forces = friction.point_forces(state);
-  fill_samples(forces, contact, vertices, samples);
+  fill_samples(forces, contact, friction.vertex_tractions(state), samples);
   fill_balance(forces, deformable, balance);
-  fill_garment(contact, state, vertices, garment, fields);
 }
 
 void fill_skin_friction(const postproc::SkinPressure& normal, postproc::RunResult& result) {

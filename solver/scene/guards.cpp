@@ -314,7 +314,7 @@ void guard(const Model& model, const Meshes& meshes, RunResult& result) {
 
 std::vector<std::string> what_to_try(const Model& model, const Meshes& meshes, const RunResult& result) {
   std::vector<std::string> list;
-  if (result.status == "converged") return list;
+  if (result.status == postproc::Status::converged) return list;
   const bool contact = model.contact_of(0) != nullptr;
   if (contact && !model.has_friction())
     list.push_back("give contact.friction (textiles on dry skin: 0.2 to 0.6): without it cloth slides and gathers at no cost");
@@ -326,7 +326,7 @@ std::vector<std::string> what_to_try(const Model& model, const Meshes& meshes, c
   if (std::any_of(model.garments.begin(), model.garments.end(),
                   [&](const auto& garment) { return garment.spec.cell_size > 0.5 * meshes.body.mean_skin_cell; }))
     list.push_back("leave garment.cell_size out: cloth coarser than the skin's nodes lets the skin buckle between its own");
-  if (result.truth.stage == "body") list.push_back("look at the garment on the rigid skin first (solver.tier = \"L1\"), then at a stiffer or thicker tissue");
+  if (result.truth.deformable) list.push_back("look at the garment on the rigid skin first (solver.tier = \"L1\"), then at a stiffer or thicker tissue");
   return list;
 }
 

@@ -200,10 +200,14 @@ void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
   if (model.has_friction()) plan.seconds *= 1.6;
   if (model.has_friction() && body > 0.0 && presses_hard(model, meshes)) plan.seconds *= 5.0;
   if (model.asked.solver.tier != input::Tier::L0 && bends(model, meshes)) plan.seconds *= 2.5;
-  plan.memory_bytes = 2e8 + 6e3 * rigid + (body + rigid >= single_precision_from ? 2.2e4 : 3e4) * body;
+  plan.memory_bytes = memory_of_run(rigid, body);
 }
 
 }  // namespace
+
+double memory_of_run(double rigid, double body) {
+  return 2e8 + 6e3 * rigid + (body + rigid >= single_precision_from ? 2.2e4 : 3e4) * body;
+}
 
 Plan plan(const Model& model, const Meshes& meshes) {
   Plan plan;

@@ -12,7 +12,6 @@
 #include "solver/scene/friction_result.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/reactions.hpp"
-#include "solver/scene/surface_result.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/shell.hpp"
 
@@ -124,23 +123,6 @@ void place_garments(const PublishedFields& published, postproc::GarmentResult& g
       }
 }
 
-// Raw multipliers on the garment, per current area, a pattern node; mid-edge nodes get the mean of their edge.
-std::vector<double> garment_pressure(const Contact& contact, const State& state, const mesh::GarmentMesh& mesh, const std::vector<double>& area_ratio) {
-  std::vector<double> ratio(mesh.pattern.size(), 0.0), count(mesh.pattern.size(), 0.0), pressure(mesh.pattern.size(), 0.0);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const int node : mesh.triangles[t]) ratio[mesh.merged[node]] += area_ratio[t], count[mesh.merged[node]] += 1.0;
-  const auto at = [&](int node) {
-    const int m = mesh.merged[node], i = contact.multiplier_of(m);
-    return i < 0 ? 0.0 : contact.pressure(state, i) * count[m] / ratio[m];
-  };
-  for (const auto& triangle : mesh.triangles)
-    for (int k = 0; k < 3; ++k) {
-      pressure[triangle[k]] = at(triangle[k]);
-      pressure[triangle[3 + k]] = 0.5 * (at(triangle[k]) + at(triangle[(k + 1) % 3]));
-    }
-  return pressure;
-}
-
 // The points of a garment's contact, which act on garment and skin.
 std::vector<postproc::ContactSample> contact_samples(const Contact& contact, const FabricMembrane& fabric, const State& state, bool deformable,
                                                      postproc::Balance& balance) {
@@ -249,13 +231,11 @@ void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool de
 
 namespace {
 
-// Pressure of a garment on the skin, with what friction adds.
-void fill_garment_contact(const Scene& scene, const State& state, const Touch& touch, const mesh::GarmentMesh& mesh,
-                          postproc::Fields& garment, postproc::RunResult& result) {
+// What a garment presses and rubs the skin with.
+void fill_garment_contact(const Scene& scene, const State& state, const Touch& touch, postproc::RunResult& result) {
   const bool deformable = scene.layout()["body"].count > 0;
   std::vector<postproc::ContactSample> samples = contact_samples(*touch.contact, *touch.sheet, state, deformable, result.balance);
-  garment.add(named(field::contact_pressure, garment_pressure(*touch.contact, state, mesh, garment[field::area_ratio])));
-  if (touch.friction) add_friction(*touch.friction, *touch.contact, state, deformable, mesh, garment, samples, result.balance);
+  if (touch.friction) add_friction(*touch.friction, *touch.contact, state, deformable, samples, result.balance);
   result.samples.insert(result.samples.end(), samples.begin(), samples.end());
 }
 
@@ -275,19 +255,37 @@ void fill_skin(const mesh::BodyMesh& body, bool friction, postproc::RunResult& r
   if (friction) fill_skin_friction(pressure, result);
 }
 
-// Two surfaces of the body: pressure per current area at the slave's nodes, and a row of sums.
-void fill_solid_contact(const Scene& scene, const State& state, const Touch& touch, const ContactModel& model, const mesh::BodyMesh& body,
-                        postproc::RunResult& result) {
-  const SurfacePressures found = surface_pressures(*touch.contact, scene.layout()["body"], state, slave_facets(body, model));
-  std::vector<double>& on_body = result.body.fields[field::contact_pressure];
-  for (const auto& [node, pressure] : found.at_node) on_body[node] = pressure;
-  postproc::SurfaceContact row{model.name, model.slave, model.master, 0.0, found.area, 0.0, 0.0};
-  for (const auto& point : touch.contact->point_forces(state)) row.force += point.force.norm();
-  for (const auto& [node, pressure] : found.at_node) row.largest_pressure = std::max(row.largest_pressure, pressure);
+// Two surfaces of the body: a row of sums.
+void fill_solid_contact(const State& state, const Touch& touch, const ContactModel& model, const postproc::Fields& body, postproc::RunResult& result) {
+  const Contact& contact = *touch.contact;
+  const std::vector<double>& pressure = body[field::contact_pressure];
+  const std::vector<double> areas = contact.current_areas(state);
+  postproc::SurfaceContact row{model.name, model.slave, model.master, 0.0, 0.0, 0.0, 0.0};
+  for (int i = 0; i < contact.vertices(); ++i)
+    if (contact.pressure(state, i) > 0.0) row.area += areas[i];
+  for (const auto& triangle : contact.slave().triangles)
+    for (const int node : triangle.nodes) row.largest_pressure = std::max(row.largest_pressure, pressure[node]);
+  for (const auto& point : contact.point_forces(state)) row.force += point.force.norm();
   if (touch.friction)
     for (const auto& point : touch.friction->point_forces(state)) row.friction_force += point.force.norm();
   result.balance.contact_force += row.force, result.balance.friction_force += row.friction_force;
   result.surface_contacts.push_back(std::move(row));
+}
+
+// What a contact tells of the body stands at nodes of its own: where garments have filled the same field it comes to theirs.
+void place_body(const postproc::Fields& published, postproc::Fields& body) {
+  for (const postproc::NamedField& given : published) {
+    const bool of_contact = given.name == field::contact_pressure.name || given.name == field::shear_traction.name || given.name == field::slip.name;
+    postproc::NamedField* there = of_contact ? body.find(std::string_view(given.name)) : nullptr;
+    if (!there) {
+      body.add(given);
+      continue;
+    }
+    std::visit([&]<class Value>(std::vector<Value>& sum) {
+      const auto& values = std::get<std::vector<Value>>(given.values);
+      for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += values[n];
+    }, there->values);
+  }
 }
 
 }  // namespace
@@ -305,18 +303,17 @@ void fill_result(const Scene& scene, const State& state, const Model& model, con
   for (const auto& [part, fields] : published)
     if (part != "body" && std::none_of(meshes.garments.begin(), meshes.garments.end(), [&](const auto& m) { return m.name == part; }))
       throw std::logic_error("fields are published of a part \"" + part + "\" that the scene does not have");
-  for (const postproc::NamedField& field : published["body"]) result.body.fields.add(field);
   bool on_skin = false, friction = false;
   for (const Touch& touch : scene.touches()) {
     if (!touch.sheet) continue;
-    const auto mesh = std::find_if(meshes.garments.begin(), meshes.garments.end(), [&](const auto& m) { return m.name == touch.slave; });
-    fill_garment_contact(scene, state, touch, *mesh, published[mesh->name], result);
+    fill_garment_contact(scene, state, touch, result);
     on_skin = true, friction = friction || touch.friction;
   }
   place_garments(published, result.garment);
   if (on_skin) fill_skin(body, friction, result);
+  place_body(published["body"], result.body.fields);
   for (const Touch& touch : scene.touches())
-    if (!touch.sheet) fill_solid_contact(scene, state, touch, *model.contact(touch.contact->name()), body, result);
+    if (!touch.sheet) fill_solid_contact(state, touch, *model.contact(touch.contact->name()), result.body.fields, result);
   fill_reactions(scene, state, meshes.garments, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
   result.balance.free_motions_share = borne_by_free_motions(scene, state);

@@ -52,6 +52,8 @@ struct Plan {
   double memory_bytes = 0.0, seconds = 0.0;  ///< expected
 };
 Plan plan(const Model& model, const Meshes& meshes);
+/// Bytes that a run takes by its unknowns, on the rigid skin (garments and contacts) and of a body that deforms.
+double memory_of_run(double rigid, double body);
 
 struct Progress {
   std::string phase;                 ///< "rigid skin", "body", ...

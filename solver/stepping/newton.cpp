@@ -77,6 +77,8 @@ constexpr double near = 1e-3;
 constexpr double far = 0.1;
 // Vertices that come or go while the last factor still does for the others: each costs FGMRES an iteration or two.
 constexpr int few_vertices = 200;  // one in so many
+// Tolerance of a solve that takes a lagged factor more than half of the iterations it is allowed.
+constexpr double long_solve = 1e-5;
 // Reduction of the residual by a step of Newton's method that converges quadratically.
 constexpr double fast = 0.1;
 
@@ -223,7 +225,9 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     }
     Eigen::VectorXd step;
     const double proximal = settings.proximal * boost * std::min(1.0, before) + 1e-12;
-    const Lag lag = forcing(settings, now.condensed, reduction, settled, now.measure.changed);
+    Lag lag = forcing(settings, now.condensed, reduction, settled, now.measure.changed);
+    // The end will ask for a factor near the answer: made where solves begin to be long, it serves both.
+    if (settings.minimum && known == Stationary::unknown && now.condensed < near && lag.tolerance < long_solve) lag.allowed = false;
     bool full = false;
     const LinearReport report = descent(scene, state, settings, before, lag, proximal, step, full);
     if (!report.ok) return Outcome::linear_solver_failed;

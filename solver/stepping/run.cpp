@@ -77,7 +77,7 @@ class Run {
   void finish_laplace() {
     show_laplace(result_.body);
     result_.numbers["mean_contact_pressure_Pa"] = result_.mean_laplace_pressure;
-    result_.status = "converged";
+    result_.status = postproc::Status::converged;
   }
 
   /// Walks the stages of a way. False: it came to nothing, and what stands in for it is to be walked (`another`).
@@ -188,9 +188,9 @@ class Run {
   bool accept(const Stage& stage, Scene& scene, const PathResult& path) {
     lost_ += path.lost;
     log_.end_path(scene, path.increments, stage.name);
-    result_.status = path.complete ? "converged" : log_.increments() > 0 ? "partial" : "failed";
+    result_.status = path.complete ? postproc::Status::converged : log_.increments() > 0 ? postproc::Status::partial : postproc::Status::failed;
     const double fraction = path.state.load < 1.0 ? path.state.load : path.reached;
-    before_ = std::exchange(result_.truth, {stage.name, fraction, path.state.stiffening, 1.0 / path.state.release});
+    before_ = std::exchange(result_.truth, {stage.name, stage.skin == Skin::deformable, fraction, path.state.stiffening, 1.0 / path.state.release});
     if (!path.complete)
       result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", stage.name, 100.0 * path.reached, path.message);
     ++stages_;
@@ -242,7 +242,7 @@ class Run {
   /// kinks between the skin's facets ask for, and so does the body then.)
   void refuse_borne_motions() {
     const std::optional<double> borne = result_.balance.free_motions_share;
-    if (!borne || *borne <= (model_.garments.empty() ? 1e-6 : 1e-2) || result_.status != "converged") return;
+    if (!borne || *borne <= (model_.garments.empty() ? 1e-6 : 1e-2) || result_.status != postproc::Status::converged) return;
     fail(fmt::format("nothing holds a part of the body, and on the deformed body its loads do not balance: {:.2g} of them is left; "
                      "hold it with a [[support]]", *borne));
   }
@@ -259,7 +259,7 @@ class Run {
   /// The user wants no more: no other way is looked for, and nothing is said of what there might be.
   bool stopped() const { return stop_ && stop_(); }
 
-  void fail(const std::string& why) { result_.status = "failed", result_.message = why; }
+  void fail(const std::string& why) { result_.status = postproc::Status::failed, result_.message = why; }
 
   const Model& model_;
   const Model worn_;  ///< the same with the friction that holds the garments on the way

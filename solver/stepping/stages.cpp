@@ -88,14 +88,14 @@ auto held_on_the_way(const Model& model, const Model& worn, const Meshes& meshes
     const Push net = push_where_it_sticks(*trail.front().scene, trail.front().state, worn);
     const ContactModel* contact = worn.contact_of(net.garment);
     if (model.slides_freely() && net.friction_needed > 0.9 * (contact ? contact->friction.coefficient : 0.0))
-      result.status = "failed", result.message = no_equilibrium(net, model, meshes);
+      result.status = postproc::Status::failed, result.message = no_equilibrium(net, model, meshes);
   };
 }
 
 /// From the garment that friction holds to the one without any: the coefficient falls a hundredfold, then it is left out.
 void add_vanishing_friction(const Model& model, const Model& worn, Skin skin, Way& way) {
   const auto tell = [&model](const Trail&, const Standing& held, postproc::RunResult& result) {
-    result.status = "partial";
+    result.status = postproc::Status::partial;
     result.message = fmt::format("without friction no equilibrium was found near the placed garment; what is reported is held by a "
                                  "coefficient of {:.2g}; {}",
                                  usual_friction / held.state.release,

@@ -62,6 +62,8 @@ class Contact : public Term {
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
   void measure(const State& state, Measure& measure) const override;
+  /// Pressure per current area at the slave's nodes; mid-edge nodes have the mean of their edge.
+  void publish(const State& state, PublishedFields& fields) const override;
   void update(State& state) const override;
   void renew(State& state) const override;
   void restore(State& state) const override;
@@ -107,6 +109,9 @@ class Contact : public Term {
   const std::array<int, 3>& vertices_of(int triangle) const { return interface_.slave.triangles[triangle].vertices; }
   const MasterSurface& master() const { return interface_.master; }
   double rest_area(int vertex) const { return interface_.slave.area[vertex]; }
+  const ContactSlave& slave() const { return interface_.slave; }
+  /// int L_i da of the vertices as they are now, m2: with it the pressures carry the forces of the multipliers.
+  std::vector<double> current_areas(const State& state) const;
 
  private:
   using Element = ContactHistory::Element;

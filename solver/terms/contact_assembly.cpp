@@ -54,15 +54,15 @@ void Contact::add_point(const State& state, const ContactHistory& history, int t
                         const ContactPoint& point, Tangent tangent, Patch& patch) const {
   const Gap g = gap(state, x, point);
   if (!g.facing) return;
-  const auto& [entries, vertices, area] = interface_.slave.triangles[triangle];
-  const double weight = point.weight * area, p = pressure(state, triangle, point);
+  const ContactSlave::Triangle& slave = interface_.slave.triangles[triangle];
+  const double weight = point.weight * slave.area, p = pressure(state, triangle, point);
   Eigen::Matrix<double, Patch::size, 1> G = Eigen::Matrix<double, Patch::size, 1>::Zero();  // dg
   for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = point.N[a] * g.at.n;
   for (int b = 0; b < 9 && master().deformable(); ++b) G.segment<3>(Patch::master + 3 * b) = -g.shape.N[b] * g.at.n;
   patch.residual -= weight * p * G;
   const Eigen::Vector3d phi = basis(point.L);
   for (int v = 0; v < 3; ++v) {
-    if (!history.active[vertices[v]]) continue;
+    if (!history.active[slave.vertices[v]]) continue;
     patch.residual[Patch::rows + v] -= weight * phi[v] * g.value;
     if (!wanted(tangent)) continue;
     patch.matrix.col(Patch::rows + v) -= weight * phi[v] * G;

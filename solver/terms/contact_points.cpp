@@ -1,4 +1,6 @@
-// What the contact term tells others of its quadrature points.
+// What the contact term tells others: its quadrature points, and the pressure as a field.
+#include <Eigen/Dense>
+
 #include "solver/terms/contact.hpp"
 
 namespace snug::solver {
@@ -31,6 +33,27 @@ std::vector<Contact::PointForce> Contact::point_forces(const State& state) const
     }
   }
   return forces;
+}
+
+std::vector<double> Contact::current_areas(const State& state) const {
+  std::vector<double> areas(vertices(), 0.0);
+  for (int t = 0; t < triangles(); ++t) {
+    const TriangleNodes x = positions(state, t);
+    for (const TrianglePoint& q : triangle_rule()) {
+      const Eigen::Matrix<double, 3, 2> tangents = x * garment_slopes(interface_.slave.order, q.L);
+      const double part = 0.5 * q.weight * tangents.col(0).cross(tangents.col(1)).norm();
+      for (int v = 0; v < 3; ++v) areas[vertices_of(t)[v]] += part * q.L[v];
+    }
+  }
+  return areas;
+}
+
+void Contact::publish(const State& state, PublishedFields& fields) const {
+  const ContactSlave& slave = interface_.slave;
+  std::vector<double> pressures = current_areas(state);
+  for (int i = 0; i < vertices(); ++i) pressures[i] = pressure(state, i) * slave.area[i] / pressures[i];
+  slave.spread(pressures, [](double a, double b) { return 0.5 * (a + b); },
+               fields[slave.part].ensure(postproc::field::contact_pressure, slave.mesh_nodes));
 }
 
 }  // namespace snug::solver

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
@@ -16,10 +17,13 @@ namespace snug::solver {
 /// multipliers, numbered from 0 in the order in which the triangles name them.
 struct ContactSlave {
   struct Triangle {
+    std::array<int, 6> nodes;     ///< of the part's mesh, of a garment before sewing
     std::array<int, 6> entries;   ///< of the x components of the nodes: vertices 0 1 2, mid-edges 01 12 20
     std::array<int, 3> vertices;  ///< multipliers
     double area = 0.0;            ///< at rest, m2
   };
+  std::string part;                    ///< of the scene: "body", or a garment
+  int mesh_nodes = 0;                  ///< of its mesh, before sewing
   std::vector<Triangle> triangles;
   std::vector<TriangleNodes> curved;   ///< rest shapes (m), one a triangle; empty: all are flat at rest
   std::vector<int> vertex_of_node;     ///< multiplier of a node of the mesh, -1 where it is no vertex
@@ -37,6 +41,15 @@ struct ContactSlave {
   }
   /// Rest area element at L over the triangle's mean one: 1 where it is flat.
   double area_ratio(int triangle, const Eigen::Vector3d& L) const;
+  /// A field of the part's mesh from the vertices' values: a mid-edge node has what `middle` makes of its edge's two, the rest what it had.
+  template <class Value, class Middle>
+  void spread(const std::vector<Value>& of_vertices, Middle middle, std::vector<Value>& field) const {
+    for (const Triangle& t : triangles)
+      for (int k = 0; k < 3; ++k) {
+        const Value &here = of_vertices[t.vertices[k]], &next = of_vertices[t.vertices[(k + 1) % 3]];
+        field[t.nodes[k]] = here, field[t.nodes[3 + k]] = middle(here, next);
+      }
+  }
 };
 
 /// The garment with its pattern as rest shape; sewn nodes are one. The field of the interface has `vertices()` pressures.

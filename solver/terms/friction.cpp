@@ -247,4 +247,20 @@ std::vector<Friction::VertexTraction> Friction::vertex_tractions(const State& st
   return vertices;
 }
 
+void Friction::publish(const State& state, PublishedFields& fields) const {
+  const std::vector<VertexTraction> vertices = vertex_tractions(state);
+  const std::vector<double> areas = contact_.current_areas(state);
+  const ContactSlave& slave = contact_.slave();
+  std::vector<Eigen::Vector3d> traction(vertices.size(), Eigen::Vector3d::Zero());
+  std::vector<double> slip(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (contact_.pressure(state, static_cast<int>(i)) != 0.0) traction[i] = slave.area[i] / areas[i] * vertices[i].traction;
+    slip[i] = static_cast<double>(vertices[i].slip);
+  }
+  postproc::Fields& part = fields[slave.part];
+  slave.spread(traction, [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) -> Eigen::Vector3d { return 0.5 * (a + b); },
+               part.ensure(postproc::field::shear_traction, slave.mesh_nodes));
+  slave.spread(slip, [](double a, double b) { return std::max(a, b); }, part.ensure(postproc::field::slip, slave.mesh_nodes));
+}
+
 }  // namespace snug::solver

@@ -62,6 +62,9 @@ class Friction : public Term {
   void commit(State& state) const override;
   void carry(const State& from, State& state) const override;
   void restore(State& state) const override;
+  /// Traction on the slave per current area and whether it slips, at its nodes: mid-edge nodes have the mean of their edge, and slip
+  /// where one of its ends does.
+  void publish(const State& state, PublishedFields& fields) const override;
 
   double coefficient() const { return coefficient_; }
   /// Force on the garment (N) at the points of `Contact::meetings`, triangle by triangle.

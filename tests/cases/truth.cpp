@@ -14,21 +14,21 @@ using testing::HasSubstr, testing::Not;
 // nothing is made of its pressures; a converged one says none of that.
 TEST(FinalTable, TellsWhatTheStateIs) {
   postproc::RunResult run;
-  run.status = "partial";
+  run.status = postproc::Status::partial;
   run.truth = {.stage = "body, step by step", .fraction = 0.334, .stiffening = 12.0, .friction_bound = 4.0};
   run.remedies = {"choose a larger size", "hold an edge"};
   const std::string text = app::final_text(run, {}, "out");
   for (const char* part : {"33.4 % of the stage \"body, step by step\"", "12 times as stiff", "4 times its coefficient", "no class, rating, threshold or comfort",
                            "what to try        choose a larger size\n                     hold an edge"})
     EXPECT_THAT(text, HasSubstr(part));
-  run.status = "converged", run.remedies.clear();
+  run.status = postproc::Status::converged, run.remedies.clear();
   EXPECT_THAT(app::final_text(run, {}, "out"), Not(HasSubstr("stage")));
 }
 
 // Warnings come with place and remedy, a hem with its line load and the strip that is left out, an assumption as it is.
 TEST(FinalTable, WarnsWithPlaceAndRemedy) {
   postproc::RunResult run;
-  run.status = "converged";
+  run.status = postproc::Status::converged;
   run.warnings = {{"gathered cloth", "20 % of the cloth lies in folds", "heights 10 to 20 mm", "hold both edges", "gathered_share", 0.2, 0.05}};
   run.hems = {{.edge = "upper", .length = 0.5, .strip = 0.021, .force = 3.0, .line_load = 0.417}};
   run.assumptions = {"friction 0.3: textiles on dry skin"};

@@ -42,7 +42,7 @@ Answer timed_run(const TubeCase& tube) {
   const auto start = std::chrono::steady_clock::now();
   Answer answer{run(tube)};
   answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  EXPECT_EQ(answer.result.status, "converged") << answer.result.message;
+  EXPECT_EQ(answer.result.status, postproc::Status::converged) << answer.result.message;
   return answer;
 }
 
@@ -94,7 +94,7 @@ Answer tapering_run(double poisson_ratio, input::Elements elements) {
   input::Case c = describe_tube(tapering(poisson_ratio, elements));
   c.garments.front().held = {{.edge = "upper", .held = input::HeldDirection::axis}};
   Answer answer{tests::solve(c, make_meshes(c))};
-  EXPECT_EQ(answer.result.status, "converged") << text_of(elements) << ", nu = " << poisson_ratio << ": " << answer.result.message;
+  EXPECT_EQ(answer.result.status, postproc::Status::converged) << text_of(elements) << ", nu = " << poisson_ratio << ": " << answer.result.message;
   return answer;
 }
 

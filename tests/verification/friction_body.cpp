@@ -171,11 +171,11 @@ std::vector<double> ring_means(const postproc::BodyResult& body) {
 /// Forces and moments balance, no traction exceeds mu p, with vanishing friction the frictionless pressure comes back.
 TEST(SoftFriction, ObeysItsBoundBalancesAndVanishesWithItsCoefficient) {
   const Timed smooth = solved(tapered(0.0));
-  ASSERT_EQ(smooth.result.status, "converged") << smooth.result.message;
+  ASSERT_EQ(smooth.result.status, postproc::Status::converged) << smooth.result.message;
   for (const double mu : {1e-4, 1e-3, 0.1, 0.25, 0.5}) {
     const Timed rough = solved(tapered(mu));
     const postproc::RunResult& r = rough.result;
-    ASSERT_EQ(r.status, "converged") << r.message;
+    ASSERT_EQ(r.status, postproc::Status::converged) << r.message;
     const auto& balance = r.balance;
     const double change = mean_difference(ring_means(r.body), ring_means(smooth.result.body));
     fmt::print("tapering soft limb, mu {}: pressure changes by {:.2e} rms, friction {:.4f} of {:.3f} N, {:.0f} % slips, forces balance to "
@@ -204,12 +204,12 @@ TEST(SoftFriction, HoldsASleeveThatNoEdgeHolds) {
   input::Case c = tapered(0.25);
   c.garments.front().held.clear();
   const auto held = solved(c).result;
-  EXPECT_EQ(held.status, "converged") << held.message;
+  EXPECT_EQ(held.status, postproc::Status::converged) << held.message;
   EXPECT_LE(held.balance.force_error.norm(), 1e-8 * held.balance.contact_force);
   EXPECT_LE(held.balance.skin_force.norm(), 1e-8 * held.balance.contact_force);  // nothing else holds the garment
   EXPECT_GT(held.balance.friction_force, 1e-2 * held.balance.contact_force);
   c.contacts.front().friction = 0.0;
-  EXPECT_EQ(solved(c).result.status, "failed");
+  EXPECT_EQ(solved(c).result.status, postproc::Status::failed);
 }
 
 }  // namespace

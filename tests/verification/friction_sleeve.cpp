@@ -100,12 +100,12 @@ postproc::RunResult on_cone(double angle, double mu) {
 TEST_P(Cone, HoldsTheSleeveIfFrictionExceedsTheTangentOfItsHalfAngle) {
   const double limit = std::tan(GetParam() * pi / 180.0);
   const auto holds = on_cone(GetParam(), 1.03 * limit);
-  fmt::print("cone {:2.0f} deg, mu = 1.03 tan: {} {} ({} iterations; mean pressure {:.1f} Pa)\n", GetParam(), holds.status, holds.message,
+  fmt::print("cone {:2.0f} deg, mu = 1.03 tan: {} {} ({} iterations; mean pressure {:.1f} Pa)\n", GetParam(), name_of(holds.status), holds.message,
              holds.iterations, holds.numbers.at("mean_contact_pressure_Pa"));
-  EXPECT_EQ(holds.status, "converged") << holds.message;
+  EXPECT_EQ(holds.status, postproc::Status::converged) << holds.message;
   const auto slips = on_cone(GetParam(), 0.97 * limit);
-  fmt::print("cone {:2.0f} deg, mu = 0.97 tan: {} {} ({} iterations)\n", GetParam(), slips.status, slips.message, slips.iterations);
-  EXPECT_EQ(slips.status, "failed");
+  fmt::print("cone {:2.0f} deg, mu = 0.97 tan: {} {} ({} iterations)\n", GetParam(), name_of(slips.status), slips.message, slips.iterations);
+  EXPECT_EQ(slips.status, postproc::Status::failed);
   EXPECT_THAT(slips.message, HasSubstr("no equilibrium"));
   EXPECT_THAT(slips.message, HasSubstr("pushes it down"));
 }

@@ -24,7 +24,7 @@ TEST_P(LimbPressure, TheSkinMovesAsTheExactSolutionSaysWithinATenThousandth) {
   c.garments.clear(), c.contacts.clear();
   c.load.emplace().skin_pressure = 1e3 * GetParam().pressure;
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
-  ASSERT_EQ(result.status, "converged") << result.message;
+  ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
   const double exact = 1e-3 * (GetParam().outer_radius - 55.0);
   book(fmt::format("1.5 A tube, nu {} p {} kPa", GetParam().poisson_ratio, GetParam().pressure),
        "displacement of the skin, m", result.numbers.at("mean_skin_radial_displacement_m"), exact, 1e-4,

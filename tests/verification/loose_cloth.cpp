@@ -56,7 +56,7 @@ Hung hang(const Hanging& scene) {
   const input::Case c = describe(scene);
   solver::Meshes meshes = make_meshes(c);
   postproc::RunResult result = tests::solve(c, meshes);
-  EXPECT_EQ(result.status, "converged") << result.message;
+  EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
   return {std::move(result), std::move(meshes)};
 }
 

@@ -17,7 +17,7 @@ TEST(OrthotropicSleeve, PressesOnARigidCylinderAsTheLawSays) {
     input::Case c = describe_tube(tube);
     if (!held) c.garments.front().held.pop_back();
     const postproc::RunResult result = tests::solve(c, make_meshes(c));
-    EXPECT_EQ(result.status, "converged") << result.message;
+    EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
     return result;
   };
   const auto mean = [](const std::vector<double>& values) {

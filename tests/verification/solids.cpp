@@ -175,7 +175,7 @@ TEST(ElasticBone, MovesTheSkinAsARigidOneDoes) {
       c.body->layers[0].material.table = input::table_of("law = 'linear-elastic'\nyoungs_modulus = '10 GPa'\npoisson_ratio = 0.3");
     }
     const postproc::RunResult result = tests::solve(c, make_meshes(c));
-    EXPECT_EQ(result.status, "converged") << result.message;
+    EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
     radius[elastic] = 1e3 * result.numbers.at("mean_skin_radial_displacement_m");
   }
   fmt::print("skin moves by {:.9f} mm on a rigid bone, {:.9f} mm on an elastic one\n", radius[0], radius[1]);

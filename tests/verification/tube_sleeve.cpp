@@ -46,7 +46,7 @@ Errors run_against(const Exact& exact, const input::Case& description) {
   const solver::Meshes meshes = make_meshes(description);
   const auto start = std::chrono::steady_clock::now();
   const postproc::RunResult result = tests::solve(description, meshes);
-  EXPECT_EQ(result.status, "converged") << result.message;
+  EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
   Errors errors;
   errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const auto& [part, unknowns] : result.unknowns) errors.unknowns += unknowns;

@@ -6,6 +6,8 @@
 #include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStringArray.h>
@@ -40,7 +42,7 @@ input::ComfortSpec trial() {
 
 Evaluation evaluated(const BodyResult& body) {
   RunResult run;
-  run.status = "converged";
+  run.status = postproc::Status::converged;
   run.body = body;
   return evaluate(run, trial());
 }
@@ -94,6 +96,24 @@ TEST(Grid, EveryComponentStandsInItsPlace) {
     for (int c = 0; c < 6; ++c) EXPECT_EQ(grid->GetPointData()->GetArray("cauchy_stress")->GetComponent(n, c), body.fields[field::cauchy_stress][n][c]);
   }
   EXPECT_STREQ(grid->GetPointData()->GetArray("displacement")->GetComponentName(0), "X");
+}
+
+TEST(Grid, FieldsCarryTheirUnitsForVtksReader) {
+  // Another program learns from the file alone in which unit a field is; one without a unit has none, and a unit that is not
+  // the one that we would have given comes back as it stands in the file.
+  BodyResult body = body_scene();
+  body.fields.add({"skin_temperature", "degC", "of a sensor", Place::node, std::vector<double>(body.nodes.size(), 33.0), {}});
+  const auto file = fresh_folder("units") / "body.vtu";
+  write_body(body, {}, file);
+  const auto grid = read(file);
+  const auto unit = [&](const char* name) -> std::string {
+    vtkInformation& facts = *grid->GetPointData()->GetArray(name)->GetInformation();
+    return facts.Has(vtkDataArray::UNITS_LABEL()) ? facts.Get(vtkDataArray::UNITS_LABEL()) : "";
+  };
+  EXPECT_EQ(unit("displacement"), "m");
+  EXPECT_EQ(unit("contact_pressure"), "Pa");
+  EXPECT_EQ(unit("coverage"), "");
+  EXPECT_EQ(read_grid(file).fields.find("skin_temperature")->unit, "degC");
 }
 
 TEST(Grid, HexahedraHaveVtksNodeOrder) {

@@ -204,7 +204,7 @@ TEST(Page, SaysWhatIsMissing) {
   const auto folder = fresh_folder("report-missing");
   EXPECT_THROW(page(folder, {}), input::InputError);
   RunResult run = run_scene();
-  run.status = "failed";
+  run.status = postproc::Status::failed;
   run.message = "make the steps smaller";
   write_results(run, {}, folder);
   const std::string html = page(folder, {"", "no display"});
@@ -219,7 +219,7 @@ TEST(Page, TellsTheTruthAboutTheState) {
   // its spread, hems, gathered cloth and data stand on the page as the files have them.
   const auto folder = fresh_folder("report-truth");
   RunResult run = run_scene();
-  run.status = "partial";
+  run.status = postproc::Status::partial;
   run.truth = {.stage = "body, step by step", .fraction = 0.25, .stiffening = 12.0};
   run.remedies = {"give contact.friction"};
   run.assumptions = {"friction 0.31: textiles on dry skin"};
@@ -239,7 +239,7 @@ TEST(Page, TellsTheTruthAboutTheState) {
                            "friction on the tightened garment"})
     EXPECT_THAT(html, HasSubstr(part));
   EXPECT_THAT(html, Not(HasSubstr("id=\"comfort\"")));
-  run.status = "converged";
+  run.status = postproc::Status::converged;
   write_results(run, evaluate(run, trial), folder);
   EXPECT_THAT(page(folder, {}), HasSubstr("id=\"comfort\""));
 }

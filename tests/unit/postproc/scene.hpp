@@ -77,7 +77,7 @@ inline RunResult run_scene() {
   RunResult run;
   run.title = "two cells";
   run.tier = "L4";
-  run.status = "converged";
+  run.status = postproc::Status::converged;
   run.body = body_scene();
   run.garment = garment_scene();
   run.history = {{.increment = 1, .load = 0.5, .iteration = 1, .residual = 1e-3, .event = "refactored, again"},

@@ -167,7 +167,7 @@ TEST(Evaluate, AStateShortOfTheAnswerIsNotJudged) {
   // Its pressures are told; rating, class, threshold and comfort are not made of them, with the same data that rate an answer.
   RunResult run = run_scene();
   ASSERT_TRUE(evaluate(run, trial()).comfort.has_value());
-  run.status = "partial";
+  run.status = postproc::Status::partial;
   const Evaluation evaluation = evaluate(run, trial());
   EXPECT_NEAR(evaluation.locations[0].mean_pressure, 300.0, 1e-9);
   EXPECT_FALSE(evaluation.comfort.has_value());
@@ -179,7 +179,7 @@ TEST(Recorders, SummaryTellsWhatTheStateIsAndWarns) {
   // Stage, fraction, stiffening of a partial state, what to try, assumptions, hems and every warning with its measure.
   const auto out = fresh_folder("truth");
   RunResult run = run_scene();
-  run.status = "partial";
+  run.status = postproc::Status::partial;
   run.truth = {.stage = "body, step by step", .fraction = 0.25, .stiffening = 12.0, .friction_bound = 8.0};
   run.remedies = {"give contact.friction"};
   run.assumptions = {"friction 0.3: textiles on dry skin"};

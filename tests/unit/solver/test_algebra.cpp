@@ -19,12 +19,46 @@ TEST(Numbering, PrescribedEntriesHaveNoUnknownAndSewnEntriesShareOne) {
   for (int i = 0; i < 7; ++i) EXPECT_EQ(numbering.unknown(i), expected[i]) << i;
 }
 
-Eigen::MatrixXd dense(const SparseScatter& scatter) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(scatter.rows(), scatter.rows());
+Eigen::MatrixXd dense(const SparseScatter& scatter, int columns) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(scatter.rows(), columns);
   for (int row = 0; row < scatter.rows(); ++row)
     for (int k = scatter.row_offsets()[row]; k < scatter.row_offsets()[row + 1]; ++k)
       matrix(row, scatter.columns()[k]) += scatter.values()[k];
   return matrix;
+}
+
+/// Random elements assembled by the scatter of rows [first, end) and densely.
+void expect_as_dense(const Numbering& numbering, const std::vector<const ElementEntries*>& groups, int first, int end) {
+  const int unknowns = numbering.unknowns();
+  SparseScatter scatter;
+  scatter.build(numbering, groups, first, end);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  Eigen::VectorXd residual = Eigen::VectorXd::Zero(unknowns), condensed = residual;
+  for (int g = 0; g < static_cast<int>(groups.size()); ++g)
+    for (int e = 0; e < groups[g]->elements(); ++e) {
+      const auto entries = groups[g]->of(e);
+      const std::size_t n = entries.size();
+      const Eigen::VectorXd r = random_vector(n, 1.0, 10 * g + e), m = random_vector(n * n, 1.0, 100 + 10 * g + e);
+      scatter.add(g, e, {r.data(), n}, {m.data(), n * n});
+      scatter.add_condensed(g, e, {m.data(), n});
+      for (std::size_t i = 0; i < n; ++i) {
+        const int row = numbering.unknown(entries[i]);
+        if (row >= 0) residual[row] += r[i], condensed[row] += m[i];
+        for (std::size_t j = 0; j < n; ++j)
+          if (const int column = numbering.unknown(entries[j]); row >= 0 && column >= 0)
+            matrix(row, column) += m[i * n + j];
+      }
+    }
+  const auto ours = [&](const auto& all) { return all.middleRows(first, end - first); };
+  EXPECT_LE((dense(scatter, unknowns) - ours(matrix)).norm(), 1e-14);
+  EXPECT_LE((scatter.residual() - ours(residual)).norm(), 1e-14);
+  EXPECT_LE((scatter.condensed() - ours(condensed)).norm(), 1e-14);
+  const Eigen::VectorXd diagonal = random_vector(end - first, 1.0, 7);
+  scatter.add_diagonal(diagonal);
+  for (int row = first; row < end; ++row) matrix(row, row) += diagonal[row - first];
+  EXPECT_LE((dense(scatter, unknowns) - ours(matrix)).norm(), 1e-14);
+  scatter.zero();
+  EXPECT_EQ(dense(scatter, unknowns).norm() + scatter.residual().norm(), 0.0);
 }
 
 TEST(SparseScatter, EqualsDenseAssemblyWithSewnAndPrescribedEntries) {
@@ -32,33 +66,19 @@ TEST(SparseScatter, EqualsDenseAssemblyWithSewnAndPrescribedEntries) {
   ElementEntries first, second;
   first.push(std::vector<int>{0, 1, 3, 4}), first.push(std::vector<int>{5, 2, 7});
   second.push(std::vector<int>{8, 6}), second.push(std::vector<int>{1, 1}), second.push(std::vector<int>{7, 0, 5});
-  const std::vector<const ElementEntries*> groups = {&first, &second};
-  SparseScatter scatter;
-  scatter.build(numbering, groups, 0, numbering.unknowns());
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(5, 5);
-  Eigen::VectorXd residual = Eigen::VectorXd::Zero(5);
-  for (int g = 0; g < 2; ++g)
-    for (int e = 0; e < groups[g]->elements(); ++e) {
-      const auto entries = groups[g]->of(e);
-      const std::size_t n = entries.size();
-      const Eigen::VectorXd r = random_vector(n, 1.0, 10 * g + e), m = random_vector(n * n, 1.0, 100 + 10 * g + e);
-      scatter.add(g, e, {r.data(), n}, {m.data(), n * n});
-      for (std::size_t i = 0; i < n; ++i) {
-        const int row = numbering.unknown(entries[i]);
-        if (row >= 0) residual[row] += r[i];
-        for (std::size_t j = 0; j < n; ++j)
-          if (const int column = numbering.unknown(entries[j]); row >= 0 && column >= 0)
-            matrix(row, column) += m[i * n + j];
-      }
-    }
-  EXPECT_LE((dense(scatter) - matrix).norm(), 1e-14);
-  EXPECT_LE((scatter.residual() - residual).norm(), 1e-14);
-  const Eigen::VectorXd diagonal = random_vector(5, 1.0, 7);
-  scatter.add_diagonal(diagonal);
-  matrix.diagonal() += diagonal;
-  EXPECT_LE((dense(scatter) - matrix).norm(), 1e-14);
-  scatter.zero();
-  EXPECT_EQ(dense(scatter).norm() + scatter.residual().norm(), 0.0);
+  expect_as_dense(numbering, {&first, &second}, 0, numbering.unknowns());
+}
+
+TEST(SparseScatter, UnknownsSideBySideNeedNotBeCoupledAlike) {
+  // Three nodes of three components: an element of two nodes, one of a single component in the middle of a node, one that names
+  // components backwards and across nodes, and a node whose middle component is prescribed. The same for a part of the rows.
+  ElementEntries first, second;
+  first.push(std::vector<int>{0, 1, 2, 3, 4, 5}), first.push(std::vector<int>{6, 7, 8});
+  second.push(std::vector<int>{4}), second.push(std::vector<int>{8, 7, 6}), second.push(std::vector<int>{2, 3, 7}), second.push(std::vector<int>{5, 6});
+  const Numbering all({0, 1, 2, 3, 4, 5, 6, 7, 8}), without({0, 1, 2, 3, -1, 5, 6, 7, 8});
+  for (const Numbering* numbering : {&all, &without})
+    for (const auto& [begin, end] : {std::pair{0, numbering->unknowns()}, {0, 4}, {2, 7}, {4, numbering->unknowns()}})
+      expect_as_dense(*numbering, {&first, &second}, begin, end);
 }
 
 constexpr int positions = 40, multipliers = 6;
@@ -238,8 +258,8 @@ TEST(SparseScatter, BoundEntriesAreEliminatedAndTheMatrixStaysSymmetric) {
       for (std::size_t j = 0; j < n; ++j) K(entries[i], entries[j]) += m(i, j);
     }
   }
-  EXPECT_LE((dense(scatter) - C.transpose() * K * C).norm(), 1e-14 * K.norm());
-  EXPECT_LE((dense(scatter) - dense(scatter).transpose()).norm(), 1e-15 * K.norm());
+  EXPECT_LE((dense(scatter, scatter.rows()) - C.transpose() * K * C).norm(), 1e-14 * K.norm());
+  EXPECT_LE((dense(scatter, scatter.rows()) - dense(scatter, scatter.rows()).transpose()).norm(), 1e-15 * K.norm());
   EXPECT_LE((scatter.residual() - C.transpose() * f).norm(), 1e-14 * f.norm());
   Eigen::VectorXd step = C * random_vector(4, 1.0, 3), told = step, folded = f;
   told[2] = told[5] = 7.0;

@@ -120,7 +120,7 @@ TEST(Supports, MoveWithTheLoad) {
       EXPECT_NEAR(result.body.fields[postproc::field::displacement][node].z(), on_bone ? 0.0 : way * 1e-3, 1e-15);
     }
   };
-  EXPECT_EQ(solver::solve(solver::make_model(c, meshes.body), meshes, {}, {2, keep}).status, "converged");
+  EXPECT_EQ(solver::solve(solver::make_model(c, meshes.body), meshes, {}, {2, keep}).status, postproc::Status::converged);
   EXPECT_EQ(states, 3);
 }
 
@@ -202,7 +202,7 @@ postproc::RunResult stopped_in(const std::string& phase, double friction) {
 constexpr double on_rigid_skin = 6392.045;  // Pa
 
 void expect_rigid_skin(const postproc::RunResult& result) {
-  EXPECT_EQ(result.status, "partial");
+  EXPECT_EQ(result.status, postproc::Status::partial);
   EXPECT_EQ(result.truth.stage, "rigid skin");
   EXPECT_THAT(result.message, HasSubstr("what is reported is the garment on the rigid skin (tier L1)"));
   EXPECT_NEAR(result.numbers.at("mean_contact_pressure_Pa"), on_rigid_skin, 0.03 * on_rigid_skin);
@@ -223,7 +223,7 @@ TEST(Partial, ARunThatIsStoppedLooksForNoOtherWay) { expect_rigid_skin(stopped_i
 // Later the last state that converged is the result: on the body, at the stage and the friction where it stood.
 TEST(Partial, AStageThatIsGivenUpKeepsTheStateBeforeIt) {
   const postproc::RunResult result = stopped_in("let go", 0.3);
-  EXPECT_EQ(result.status, "partial");
+  EXPECT_EQ(result.status, postproc::Status::partial);
   EXPECT_EQ(result.truth.stage, "letting go");
   EXPECT_EQ(result.truth.fraction, 0.0);
   EXPECT_THAT(result.message, HasSubstr("letting go stopped at 0.0 % of its path"));
@@ -235,8 +235,8 @@ TEST(Partial, AStageThatIsGivenUpKeepsTheStateBeforeIt) {
 
 // Where nothing converged at all there is no part of an answer.
 TEST(Partial, ARunWithoutAnyStepHasFailed) {
-  EXPECT_EQ(stopped_in("tightening", 0.3).status, "failed");
-  EXPECT_EQ(stopped_in("rigid skin", 0.0).status, "failed");
+  EXPECT_EQ(stopped_in("tightening", 0.3).status, postproc::Status::failed);
+  EXPECT_EQ(stopped_in("rigid skin", 0.0).status, postproc::Status::failed);
 }
 
 /// Shares of the garment's triangles: by corners that slip, and of those whose corners do not all do the same.
@@ -270,7 +270,7 @@ postproc::RunResult drawn_in(double friction) {
 // two on three quarters; corners by thirds differ from this by a twelfth of the triangles between slip and stick.
 TEST(Slip, IsThatOfTheMajority) {
   const postproc::RunResult result = drawn_in(0.08);
-  ASSERT_EQ(result.status, "converged") << result.message;
+  ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
   const Slipping share = slipping(result.garment);
   ASSERT_GT(share.mixed, 0.1);
   EXPECT_NEAR(result.numbers.at("slipping_share_of_contact"), share.corners, share.mixed / 12.0);
@@ -307,7 +307,7 @@ TEST(Numbers, TheMeanPressureIsOverWhatTouches) {
   TubeCase tube = coarse();
   tube.tier = input::Tier::L1, tube.along = 4, tube.taper = 0.1, tube.sleeve = 0.0575;  // on a limb of 55 to 61 mm
   const postproc::RunResult result = run(tube);
-  ASSERT_EQ(result.status, "converged") << result.message;
+  ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
   double force = 0.0, touching = 0.0, all = 0.0;
   for (const auto& sample : result.samples) {
     all += sample.area;

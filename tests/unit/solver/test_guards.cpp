@@ -30,7 +30,7 @@ struct Worn {
   RunResult result;
 
   explicit Worn(const TubeCase& tube) : description(frictionless(tube)), meshes(make_meshes(description)), result(tests::solve(description, meshes)) {
-    EXPECT_EQ(result.status, "converged");
+    EXPECT_EQ(result.status, postproc::Status::converged);
   }
   /// Measures the result anew.
   void look() { result.warnings.clear(), solver::guard(solver::make_model(description, meshes.body), meshes, result); }
@@ -165,9 +165,9 @@ TEST(Guards, WhatToTryFollowsFromTheCase) {
   input::Case c = frictionless(small());
   const solver::Meshes meshes = make_meshes(c);
   RunResult result;
-  result.status = "converged";
+  result.status = postproc::Status::converged;
   EXPECT_TRUE(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result).empty());
-  result.status = "partial", result.truth.stage = "rigid skin";
+  result.status = postproc::Status::partial, result.truth.stage = "rigid skin";
   EXPECT_THAT(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result), testing::ElementsAre(HasSubstr("contact.friction")));
   c.garments.front().held.clear(), c.contacts.front().friction = 0.3;
   EXPECT_THAT(solver::what_to_try(solver::make_model(c, meshes.body), meshes, result), testing::ElementsAre(HasSubstr("garment.held")));

@@ -26,7 +26,7 @@ void expect_balance(const postproc::Balance& balance, double length) {
 TEST(Newton, TheTubeSleeveConvergesQuadraticallyAtTheEndAndIsInBalance) {
   const TubeCase tube;
   const postproc::RunResult result = run(tube);
-  ASSERT_EQ(result.status, "converged") << result.message;
+  ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
   const std::vector<double> r = last_residuals(result);
   ASSERT_GE(r.size(), 4u);
   EXPECT_LE(r.size(), 8u);
@@ -42,7 +42,7 @@ TEST(Newton, TheRigidTierIsInBalanceToo) {
   TubeCase tube;
   tube.tier = input::Tier::L1;
   const postproc::RunResult result = run(tube);
-  ASSERT_EQ(result.status, "converged") << result.message;
+  ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
   expect_balance(result.balance, tube.radius);
 }
 
@@ -51,7 +51,7 @@ TEST(Newton, TheDualBasisGivesTheSameMeanPressure) {
   const double hat = run(tube).numbers.at("mean_contact_pressure_Pa");
   tube.basis = input::GapTests::dual;
   const postproc::RunResult dual = run(tube);
-  ASSERT_EQ(dual.status, "converged") << dual.message;
+  ASSERT_EQ(dual.status, postproc::Status::converged) << dual.message;
   EXPECT_NEAR(dual.numbers.at("mean_contact_pressure_Pa"), hat, 1e-3 * hat);
 }
 

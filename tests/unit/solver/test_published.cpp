@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <stdexcept>
 
 #include "postproc/comparison.hpp"
@@ -9,6 +10,7 @@
 #include "postproc/report/page.hpp"
 #include "postproc/store.hpp"
 #include "solver/scene/result.hpp"
+#include "solver/terms/garment_shape.hpp"
 #include "tests/unit/postproc/scene.hpp"
 #include "tests/unit/solver/terms.hpp"
 
@@ -57,7 +59,7 @@ Placed placed(double rise, const std::string& part = "body") {
   scene.add(std::make_unique<Warmth>(part, placed.meshes.body.nodes, placed.meshes.garments.front().triangles.size(), rise));
   solver::State state = solver::placed_state(scene.layout(), placed.meshes);
   scene.look(state);
-  placed.result.status = "converged";
+  placed.result.status = postproc::Status::converged;
   placed.result.body = solver::body_result(placed.meshes.body, true);
   tests::fill_result(scene, state, placed.meshes, placed.result);
   return placed;
@@ -103,6 +105,36 @@ TEST(Published, TheTermsOfACasePublishTheirFields) {
   EXPECT_EQ(scene.result.body.fields.find("stress_top"), nullptr);
   for (const char* name : {"contact_pressure", "tension_warp", "tension_weft", "shear", "stretch", "wrinkled"})
     EXPECT_NE(scene.result.garment.fields.find(name), nullptr) << name;
+}
+
+/// int p da over the garment with `pressure` linear between the vertices of its triangles as they lie.
+double carried(const postproc::GarmentResult& garment, const std::vector<double>& pressure) {
+  double sum = 0.0;
+  for (const auto& triangle : garment.triangles) {
+    Eigen::Matrix<double, 3, 6> x;
+    for (int a = 0; a < 6; ++a) x.col(a) = garment.current[triangle[a]];
+    for (const solver::TrianglePoint& q : solver::triangle_rule()) {
+      const Eigen::Matrix<double, 3, 2> tangents = x * solver::garment_slopes(2, q.L);
+      const double part = 0.5 * q.weight * tangents.col(0).cross(tangents.col(1)).norm();
+      for (int v = 0; v < 3; ++v) sum += part * q.L[v] * pressure[triangle[v]];
+    }
+  }
+  return sum;
+}
+
+// Contact publishes on its slave what it carries: the pressure on the cloth times its area as worn is the contact force, but for the
+// slivers that the cut leaves out. There is no field of friction where there is none.
+TEST(Published, ThePressureOnTheClothCarriesTheContactForce) {
+  TubeCase tube;
+  tube.around = 8, tube.along = 2, tube.through = 1;
+  const input::Case c = describe_tube(tube);
+  const postproc::RunResult result = tests::solve(c, make_meshes(c));
+  ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
+  double force = 0.0;
+  for (const auto& sample : result.samples) force += sample.force;
+  ASSERT_GT(force, 0.0);
+  EXPECT_NEAR(carried(result.garment, result.garment.fields[postproc::field::contact_pressure]), force, 1e-6 * force);
+  EXPECT_EQ(result.garment.fields.has(postproc::field::slip), result.balance.friction_force > 0.0);
 }
 
 // A term that speaks of a part that the scene does not have is a mistake of its programmer, and is told.

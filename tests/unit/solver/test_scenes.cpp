@@ -44,7 +44,7 @@ TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
   EXPECT_THAT(tests::plan(c, meshes).unknowns, ElementsAre(Key("body")));
   EXPECT_THAT(term_names(c, Skin::deformable), ElementsAre("tissue", "pressure on skin"));
   const postproc::RunResult result = tests::solve(c, meshes);
-  EXPECT_EQ(result.status, "converged");
+  EXPECT_EQ(result.status, postproc::Status::converged);
   EXPECT_THAT(result.unknowns, ElementsAre(Key("body")));
   EXPECT_THAT(phase_names(result), ElementsAre("set-up", "body", "results"));
   EXPECT_TRUE(result.samples.empty());
@@ -58,7 +58,7 @@ TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
   const input::Case c = describe_tube(tube);
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
   const postproc::RunResult result = run(tube);
-  EXPECT_EQ(result.status, "converged");
+  EXPECT_EQ(result.status, postproc::Status::converged);
   EXPECT_THAT(result.unknowns, UnorderedElementsAre(Key("garment"), Key("contact")));
   EXPECT_THAT(phase_names(result), ElementsAre("law of Laplace", "set-up", "rigid skin", "results"));
   EXPECT_TRUE(result.body.cells.empty());
@@ -79,7 +79,7 @@ TEST(Parts, TierL0HasNoUnknownsAtAll) {
   const input::Case c = describe_tube(tube);
   EXPECT_TRUE(tests::plan(c, make_meshes(c)).unknowns.empty());
   const postproc::RunResult result = run(tube);
-  EXPECT_EQ(result.status, "converged");
+  EXPECT_EQ(result.status, postproc::Status::converged);
   EXPECT_TRUE(result.unknowns.empty());
   EXPECT_TRUE(result.history.empty());
 }
@@ -128,7 +128,7 @@ TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
   c.garments.front().fabric.table.set("B", input::value_without_place(std::string("2e-6 N m")));
   c.garments.front().fabric.table.set("weight", input::value_without_place(std::string("100 g/m2")));
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
-  EXPECT_EQ(result.status, "converged") << result.message;
+  EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
   const double weight = 0.1 * 9.80665 * 2.0 * std::numbers::pi * 0.058 * 0.060;
   EXPECT_NEAR(result.balance.garment_weight.z(), -weight, 1e-9 * weight);
   EXPECT_NEAR(result.balance.reactions.at("upper edge").z(), weight, 1e-6 * weight);
@@ -158,7 +158,7 @@ input::Case free_sleeve(double lower, double upper) {
 TEST(Equilibrium, AFreeSleeveOnAConeIsRecognisedAndTheRemedyNamed) {
   const input::Case c = free_sleeve(0.049, 0.055);
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
-  EXPECT_EQ(result.status, "failed");
+  EXPECT_EQ(result.status, postproc::Status::failed);
   EXPECT_THAT(result.message, HasSubstr("no equilibrium"));
   EXPECT_THAT(result.message, HasSubstr("pushes it down"));
   EXPECT_THAT(result.message, HasSubstr("hold an edge: garment.held ="));
@@ -169,7 +169,7 @@ TEST(Equilibrium, TheDirectionOfSlidingFollowsTheCone) {
   const solver::Meshes meshes = make_meshes(c);
   EXPECT_EQ(solver::probe_edge(meshes.garments.front()), "lower");
   const postproc::RunResult result = tests::solve(c, meshes);
-  EXPECT_EQ(result.status, "failed");
+  EXPECT_EQ(result.status, postproc::Status::failed);
   EXPECT_THAT(result.message, HasSubstr("pushes it up"));
   EXPECT_THAT(result.message, HasSubstr("edge = \"lower\""));
 }
@@ -178,7 +178,7 @@ TEST(Equilibrium, AFreeSleeveOnARigidCylinderIsInEquilibrium) {
   input::Case c = free_sleeve(0.055, 0.055);
   c.solver.tier = input::Tier::L1;
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
-  EXPECT_EQ(result.status, "converged") << result.message;
+  EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
 }
 
 /// Hoop stretch l = R / Rf; T = c l (l^2 - 1) / 2 by the fabric law (S = c E); p = T / R by Laplace.
@@ -226,7 +226,7 @@ TEST(Parts, TwoGarmentsAreTwoParts) {
   input::Case both = two_sleeves(0.04, 0.03, 0.08);
   both.garments[1].pattern.flat_circumference *= 1.1;
   const postproc::RunResult result = tests::solve(both, make_meshes(both));
-  EXPECT_EQ(result.status, "converged");
+  EXPECT_EQ(result.status, postproc::Status::converged);
   ASSERT_EQ(result.garment.parts.size(), 2u);
   EXPECT_EQ(result.unknowns.count("contact of high"), 1u);
   for (int g = 0; g < 2; ++g) {
@@ -251,10 +251,10 @@ TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
   c.contacts[0].slave = "rough", c.contacts[0].friction = 0.4;
   c.contacts[1].slave = "smooth", c.contacts[1].friction = 0.0;
   const postproc::RunResult result = tests::solve(c, make_meshes(c));
-  EXPECT_EQ(result.status, "failed");
+  EXPECT_EQ(result.status, postproc::Status::failed);
   EXPECT_THAT(result.message, testing::HasSubstr("nothing holds the smooth along the axis"));
   c.contacts[1].friction = 0.4;
-  EXPECT_EQ(tests::solve(c, make_meshes(c)).status, "converged");
+  EXPECT_EQ(tests::solve(c, make_meshes(c)).status, postproc::Status::converged);
 }
 
 // Garments over one another do not touch each other in the scene, and the plan says so; side by side there is nothing to say.
