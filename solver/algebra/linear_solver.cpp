@@ -73,11 +73,81 @@ PetscErrorCode apply_inverse(PC shell, Vec in, Vec out) {
   return static_cast<Preconditioner*>(inverse)->apply(in, out);
 }
 
+/// The matrix as FGMRES sees it: own rows times a vector, of which each rank has the entries that its rows name.
+class Product {
+ public:
+  Product() = default;
+  Product(const Product&) = delete;
+  Product& operator=(const Product&) = delete;
+  ~Product() { clear(); }
+
+  Mat of(const OwnRows& rows) {
+    clear();
+    rows_ = rows;
+    const RowPattern& pattern = rows.pattern;
+    MatCreateShell(PETSC_COMM_WORLD, pattern.count, pattern.count, pattern.unknowns, pattern.unknowns, this, &shell_);
+    MatShellSetOperation(shell_, MATOP_MULT, reinterpret_cast<void (*)()>(apply));
+    if (ranks() > 1) gather_what_rows_name();
+    return shell_;
+  }
+  /// The same pattern with other values.
+  void renew(const OwnRows& rows) { rows_ = rows; }
+  void clear() {
+    VecScatterDestroy(&gather_);
+    VecDestroy(&all_);
+    MatDestroy(&shell_);
+  }
+
+ private:
+  /// `all_` is of all unknowns, so that columns stay as they are; only what is named is sent.
+  void gather_what_rows_name() {
+    const RowPattern& pattern = rows_.pattern;
+    std::vector<char> named(pattern.unknowns, 0);
+    for (int k = 0; k < pattern.offsets[pattern.count]; ++k) named[pattern.columns[k]] = 1;
+    std::vector<PetscInt> list;
+    for (int u = 0; u < pattern.unknowns; ++u)
+      if (named[u]) list.push_back(u);
+    IS entries = nullptr;
+    Vec like = nullptr;
+    ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(list.size()), list.data(), PETSC_COPY_VALUES, &entries);
+    VecCreateSeq(PETSC_COMM_SELF, pattern.unknowns, &all_);
+    VecSet(all_, 0.0);
+    MatCreateVecs(shell_, &like, nullptr);
+    VecScatterCreate(like, entries, all_, entries, &gather_);
+    VecDestroy(&like);
+    ISDestroy(&entries);
+  }
+
+  static PetscErrorCode apply(Mat shell, Vec x, Vec product) {
+    void* self = nullptr;
+    MatShellGetContext(shell, &self);
+    const Product& p = *static_cast<Product*>(self);
+    if (p.gather_) {
+      VecScatterBegin(p.gather_, x, p.all_, INSERT_VALUES, SCATTER_FORWARD);
+      VecScatterEnd(p.gather_, x, p.all_, INSERT_VALUES, SCATTER_FORWARD);
+    }
+    const Vec from = p.gather_ ? p.all_ : x;
+    const PetscScalar* given = nullptr;
+    PetscScalar* made = nullptr;
+    VecGetArrayRead(from, &given);
+    VecGetArray(product, &made);
+    multiply(p.rows_, given, made);
+    VecRestoreArray(product, &made);
+    VecRestoreArrayRead(from, &given);
+    return 0;
+  }
+
+  OwnRows rows_;
+  Mat shell_ = nullptr;
+  Vec all_ = nullptr;
+  VecScatter gather_ = nullptr;
+};
+
 }  // namespace
 
 struct LinearSolver::Petsc {
-  Mat matrix = nullptr;
-  Mat symmetric_part = nullptr;  ///< where the matrix is not symmetric
+  OwnRows rows;
+  Product product;
   Vec right = nullptr, solution = nullptr;
   KSP ksp = nullptr;
   FactorKind kind = FactorKind::double_precision;
@@ -127,8 +197,7 @@ struct LinearSolver::Petsc {
     KSPDestroy(&ksp);
     VecDestroy(&solution);
     VecDestroy(&right);
-    MatDestroy(&symmetric_part);
-    MatDestroy(&matrix);
+    product.clear();
   }
   ~Petsc() { destroy_system(); }
 
@@ -163,22 +232,10 @@ struct LinearSolver::Petsc {
     gather_ranges(values, first, end);
   }
 
-  /// What is factored.
-  Mat operand() {
-    if (symmetric || whole) return matrix;
-    if (!symmetric_part) MatDuplicate(matrix, MAT_DO_NOT_COPY_VALUES, &symmetric_part);
-    Mat transposed = nullptr;
-    MatTranspose(matrix, MAT_INITIAL_MATRIX, &transposed);
-    MatCopy(matrix, symmetric_part, SAME_NONZERO_PATTERN);
-    MatAXPY(symmetric_part, 1.0, transposed, SAME_NONZERO_PATTERN);
-    MatScale(symmetric_part, 0.5);
-    MatDestroy(&transposed);
-    return symmetric_part;
-  }
-
   bool renew_factor() {
     const bool fresh = !std::exchange(analysed, false);
-    factored = analysed = inverse->renew(operand(), symmetric || !whole, fresh);
+    const Operand operand = symmetric ? Operand::symmetric : whole ? Operand::whole : Operand::symmetric_part;
+    factored = analysed = inverse->renew(rows, operand, fresh);
     if (symmetric) negative_pivots = inverse->negative_pivots();
     return factored;
   }
@@ -209,20 +266,14 @@ void LinearSolver::reset(SparseScatter& scatter, int unknowns, bool symmetric) {
   p.symmetric = symmetric, p.whole = false, p.negative_pivots = -1;
   if (unknowns != p.unknowns) p.destroy_factor();
   p.unknowns = unknowns, p.first = scatter.first_row(), p.end = scatter.first_row() + scatter.rows();
-  if (ranks() == 1)  // shares the arrays of the scatter
-    MatCreateSeqAIJWithArrays(PETSC_COMM_WORLD, unknowns, unknowns, const_cast<int*>(scatter.row_offsets().data()),
-                              const_cast<int*>(scatter.columns().data()), scatter.values().data(), &p.matrix);
-  else
-    MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, scatter.rows(), scatter.rows(), unknowns, unknowns,
-                              scatter.row_offsets().data(), scatter.columns().data(), scatter.values().data(), &p.matrix);
-  MatSetOption(p.matrix, MAT_SYMMETRIC, symmetric ? PETSC_TRUE : PETSC_FALSE);
-  if (symmetric) MatSetOption(p.matrix, MAT_SYMMETRY_ETERNAL, PETSC_TRUE);
-  MatCreateVecs(p.matrix, &p.solution, &p.right);
+  p.rows = scatter.own_rows();
+  const Mat matrix = p.product.of(p.rows);
+  MatCreateVecs(matrix, &p.solution, &p.right);
   KSPCreate(PETSC_COMM_WORLD, &p.ksp);
   KSPSetType(p.ksp, KSPFGMRES);
   KSPGMRESSetRestart(p.ksp, most_unsymmetric);
   KSPSetConvergenceTest(p.ksp, judge, &p.allowed, nullptr);
-  KSPSetOperators(p.ksp, p.matrix, p.matrix);
+  KSPSetOperators(p.ksp, matrix, matrix);
   p.use_inverse();
   p.choose_factor();
 }
@@ -237,13 +288,8 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
   const bool lagged = lag.allowed && !lag.precise && p.factored;
   if (!lagged) p.rescale(scatter);
   scatter.scale(p.scale);
-  if (ranks() == 1) {  // the values are shared: PETSc only has to hear that they changed
-    PetscScalar* shared = nullptr;
-    MatSeqAIJGetArray(p.matrix, &shared);
-    MatSeqAIJRestoreArray(p.matrix, &shared);
-  } else {
-    MatUpdateMPIAIJWithArray(p.matrix, scatter.values().data());
-  }
+  p.rows = scatter.own_rows();
+  p.product.renew(p.rows);
   p.put(right);
   LinearReport report;
   double start = now();

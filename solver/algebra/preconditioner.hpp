@@ -6,14 +6,19 @@
 #include <memory>
 #include <string>
 
+#include "solver/algebra/own_rows.hpp"
+
 namespace snug::solver {
+
+/// What of a matrix is inverted: all of one that is symmetric, (A + A^T) / 2 of one that is not, or all of that.
+enum class Operand { symmetric, symmetric_part, whole };
 
 class Preconditioner {
  public:
   virtual ~Preconditioner() = default;
-  /// Made anew of the matrix as it is now; one of another pattern than last time, or of a matrix that is now taken as not symmetric,
-  /// is `fresh`. False: there is none, and nothing of an earlier one is left.
-  virtual bool renew(Mat matrix, bool symmetric, bool fresh) = 0;
+  /// Made anew of the matrix as it is now; one of another pattern or operand than last time is `fresh`. False: there is none, and
+  /// nothing of an earlier one is left.
+  virtual bool renew(const OwnRows& rows, Operand operand, bool fresh) = 0;
   virtual PetscErrorCode apply(Vec in, Vec out) = 0;
   /// Of the matrix that it was made of: negative eigenvalues by Sylvester's law of inertia; -1 where it cannot tell.
   virtual int negative_pivots() const { return -1; }

@@ -50,16 +50,16 @@ void SparseScatter::collect_folds(const Numbering& numbering, const ElementEntri
   }
 }
 
-std::vector<char> SparseScatter::fill_columns(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) {
+void SparseScatter::fill_columns(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) {
   const Touches touches = collect_touches(numbering, groups);
-  std::vector<char> like_before(rows(), 0);
+  like_before_.assign(rows(), 0);
   std::vector<int> seen(numbering.unknowns(), -1);  // the last row that has the column
   row_offset_.assign(1, 0);
   column_.clear();
   for (int row = 0; row < rows(); ++row) {
     const std::size_t begin = column_.size();
     if (row > 0 && std::ranges::equal(touches.of(row), touches.of(row - 1))) {
-      like_before[row] = 1;
+      like_before_[row] = 1;
       column_.resize(begin + (begin - row_offset_[row - 1]));
       std::copy(column_.begin() + row_offset_[row - 1], column_.begin() + begin, column_.begin() + begin);
     } else {
@@ -71,10 +71,9 @@ std::vector<char> SparseScatter::fill_columns(const Numbering& numbering, const 
     row_offset_.push_back(static_cast<int>(column_.size()));
   }
   column_.shrink_to_fit();
-  return like_before;
 }
 
-void SparseScatter::place(const Numbering& numbering, const ElementEntries& entries, const std::vector<char>& like_before, Group& group) const {
+void SparseScatter::place(const Numbering& numbering, const ElementEntries& entries, Group& group) const {
   group.run_offset.assign(1, 0), group.place_offset.assign(1, 0);
   group.size.assign(entries.elements(), 0);
   for (int e = 0; e < entries.elements(); ++e) {
@@ -87,7 +86,7 @@ void SparseScatter::place(const Numbering& numbering, const ElementEntries& entr
       const bool follows = group.runs.size() > first && [&] {
         const Run& run = group.runs.back();
         if ((run.row >= 0) != ours || (run.unknown >= 0) != (unknown >= 0)) return false;
-        return unknown < 0 || (unknown == run.unknown + run.length && (!ours || like_before[row]));
+        return unknown < 0 || (unknown == run.unknown + run.length && (!ours || like_before_[row]));
       }();
       if (follows) ++group.runs.back().length;
       else group.runs.push_back({static_cast<int>(i), 1, ours ? row : -1, unknown});
@@ -115,11 +114,12 @@ void SparseScatter::build(const Numbering& numbering, const std::vector<const El
                           int end_row) {
   first_row_ = first_row;
   end_row_ = end_row;
+  unknowns_ = numbering.unknowns();
   value_ = {};  // before the new ones take their memory
   groups_.assign(groups.size(), {});
-  const std::vector<char> like_before = fill_columns(numbering, groups);
+  fill_columns(numbering, groups);
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    place(numbering, *groups[g], like_before, groups_[g]);
+    place(numbering, *groups[g], groups_[g]);
     collect_folds(numbering, *groups[g], groups_[g]);
   }
   diagonal_.assign(rows(), -1);

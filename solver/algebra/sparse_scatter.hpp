@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/algebra/numbering.hpp"
+#include "solver/algebra/own_rows.hpp"
 
 namespace snug::solver {
 
@@ -55,7 +56,10 @@ class SparseScatter {
   const std::vector<int>& row_offsets() const { return row_offset_; }
   const std::vector<int>& columns() const { return column_; }
   const std::vector<double>& values() const { return value_; }
-  std::vector<double>& values() { return value_; }
+  /// Good until the next `build`.
+  OwnRows own_rows() const {
+    return {{first_row_, rows(), unknowns_, row_offset_.data(), column_.data()}, value_.data(), like_before_.data()};
+  }
   const Eigen::VectorXd& residual() const { return residual_; }
   const Eigen::VectorXd& condensed() const { return condensed_; }
 
@@ -92,14 +96,15 @@ class SparseScatter {
   };
   void collect_folds(const Numbering& numbering, const ElementEntries& entries, Group& group);
   Touches collect_touches(const Numbering& numbering, const std::vector<const ElementEntries*>& groups) const;
-  /// Columns of all rows; tells for each whether it has the same as the one before it.
-  std::vector<char> fill_columns(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);
-  void place(const Numbering& numbering, const ElementEntries& entries, const std::vector<char>& like_before, Group& group) const;
+  /// Columns of all rows.
+  void fill_columns(const Numbering& numbering, const std::vector<const ElementEntries*>& groups);
+  void place(const Numbering& numbering, const ElementEntries& entries, Group& group) const;
   void place_runs(std::size_t first, Group& group) const;
   void add_unfolded(const Group& group, int element, std::span<const double> residual, std::span<const double> matrix);
 
-  int first_row_ = 0, end_row_ = 0;
+  int first_row_ = 0, end_row_ = 0, unknowns_ = 0;
   std::vector<int> row_offset_, column_;
+  std::vector<char> like_before_;  ///< rows that have the columns of the one before them
   std::vector<double> value_;
   Eigen::VectorXd residual_, condensed_;
   std::vector<int> diagonal_;

@@ -92,11 +92,6 @@ std::vector<std::string> own_arguments() {
   return words;
 }
 
-int launched_ranks() {
-  const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  return size ? std::max(1, std::atoi(size)) : 1;
-}
-
 int launch_ranks(int ranks, const Cleaner& cleaner) {
   const StopSignals signals(false);
   const Scratch scratch(temporary_place(), cleaner);

@@ -122,7 +122,7 @@ class Run : public Command {
     if (resume_ && states_ > 0)
       throw input::InputError({"--resume", 0, 0}, "--states keeps the states of the whole path", "run from the beginning, or leave --states out");
     cleaner_.emplace();
-    if (launched_ranks() > 1) return run_as_rank();
+    if (const solver::Launcher launcher = solver::launcher(); launcher.there && launcher.processes != 1) return run_as_rank(launcher);
     if (ranks_ > 1) {
       for (const std::string& directory : directories_) options_.read(directory);  // what is wrong is said once
       return launch_ranks(ranks_, *cleaner_);
@@ -143,11 +143,14 @@ class Run : public Command {
   }
 
   /// One rank of several. An error on one rank ends all: the others would wait for it for ever.
-  int run_as_rank() {
+  int run_as_rank(const solver::Launcher& launcher) {
     end_with_parent();
     const StopSignals signals(true);
     if (!session_) session_ = std::make_unique<SolverSession>();
     StopSignals::take(true);
+    if (launcher.processes > 1 && solver::this_rank().of == 1)
+      throw input::InputError({"snug run", 0, 0}, fmt::format("a launcher has started {} processes, and MPI does not know it: each would compute the whole", launcher.processes),
+                              "start them with Open MPI's mpirun, or with srun --mpi=pmix");
     writes_ = solver::this_rank().number == 0;
     quiet_ = quiet_ || !writes_;
     try {

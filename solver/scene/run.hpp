@@ -27,6 +27,13 @@ class Session {
   std::unique_ptr<Runtime> runtime_;
 };
 
+/// What has started this process beside others to work with: mpirun, srun or another launcher, by what it sets for its processes.
+struct Launcher {
+  bool there = false;
+  int processes = 0;  ///< 0: it does not say before MPI has started
+};
+Launcher launcher();
+
 /// The rank of this process and how many there are; rank 0 alone speaks and writes.
 struct Rank { int number = 0, of = 1; };
 Rank this_rank();

@@ -14,6 +14,11 @@ namespace snug::solver {
 
 namespace {
 
+int number_of(const char* variable) {
+  const char* text = getenv(variable);
+  return text ? std::max(1, std::atoi(text)) : 0;
+}
+
 // Started without mpirun, Open MPI would start a daemon of its own, which takes a second and looks for a remote shell, and
 // look for network hardware, which takes a third of a second: a lone process talks to nobody.
 // Left alone, all lone processes share one folder of temporary files, which the first to end takes from under the others:
@@ -21,7 +26,7 @@ namespace {
 class Alone {
  public:
   Alone() {
-    if (getenv("OMPI_COMM_WORLD_SIZE")) return;
+    if (const Launcher started = launcher(); number_of("OMPI_COMM_WORLD_SIZE") > 0 || (started.there && started.processes != 1)) return;
     const bool has_folder = getenv("OMPI_MCA_orte_tmpdir_base") != nullptr;  // one that is removed even when this process is killed
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
@@ -63,6 +68,13 @@ struct Session::Runtime {
 
 Session::Session(int& argc, char**& argv) : runtime_(std::make_unique<Runtime>(argc, argv)) {}
 Session::~Session() = default;
+
+// Open MPI's own variable; PMI's (Hydra, Slurm's pmi2, Flux, Cray PALS); PMIx (Slurm's pmix, PRRTE) tells the number only when asked.
+Launcher launcher() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (const int processes = number_of(variable); processes > 0) return {true, processes};
+  return {getenv("PMIX_NAMESPACE") != nullptr, 0};
+}
 
 Rank this_rank() { return {rank(), ranks()}; }
 void end_all_ranks(int status) { abort_all_ranks(status); }

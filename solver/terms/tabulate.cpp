@@ -12,14 +12,21 @@ CellTable tabulate(const mesh::BodyMesh& mesh, int cell) {
   const auto& rule = mesh::gauss_points(mesh.kind);
   const auto x = mesh::cell_positions(mesh.kind, mesh.cells[cell], mesh.nodes);
   const auto points = static_cast<Eigen::Index>(rule.size());
-  CellTable table{Eigen::MatrixXd(x.cols(), 3 * points), Eigen::VectorXd(points), Eigen::Matrix3Xd(3, points)};
+  CellTable table{Eigen::Matrix3Xd(3, 3 * points), Eigen::VectorXd(points), Eigen::Matrix3Xd(3, points)};
   for (Eigen::Index q = 0; q < points; ++q) {
     const Eigen::Matrix3d jacobian = mesh::jacobian(x, rule[q]);
-    table.gradient.middleCols<3>(3 * q) = rule[q].gradients * jacobian.inverse();
+    table.inverse.middleCols<3>(3 * q) = jacobian.inverse();
     table.weight[q] = rule[q].weight * jacobian.determinant();
     table.point.col(q) = x * rule[q].values;
   }
   return table;
+}
+
+Eigen::MatrixXd reference_gradients(CellKind kind) {
+  const auto& rule = mesh::gauss_points(kind);
+  Eigen::MatrixXd gradients(static_cast<Eigen::Index>(mesh::reference_nodes(kind).size()), 3 * static_cast<Eigen::Index>(rule.size()));
+  for (std::size_t q = 0; q < rule.size(); ++q) gradients.middleCols<3>(3 * static_cast<Eigen::Index>(q)) = rule[q].gradients;
+  return gradients;
 }
 
 const Eigen::MatrixXd& points_to_nodes(CellKind kind) {

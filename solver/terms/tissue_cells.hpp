@@ -46,18 +46,20 @@ class CellKernel final : public Tissue::Kernel {
   using PointValues = Eigen::Matrix<double, points, 1>;
   using FieldVector = Eigen::Matrix<double, fields, 1>;
   using Fields = Eigen::Matrix<double, fields, fields>;
+  using Gradients = Eigen::Matrix<double, nodes, 3 * points>;  ///< of the shape functions: node a, column 3 q + J
 
   struct Cell {
     std::array<int, size> entry;
     int own;                                            ///< first entry of the dilatations; the pressures follow
     const materials::SolidLaw* law;
     bool split;
-    Eigen::Matrix<double, nodes, 3 * points> gradient;  ///< node a, column 3 q + J, 1/m
+    Eigen::Matrix<double, 3, 3 * points> inverse;       ///< of the Jacobian to the reference cell at the points, 1/m
     PointValues weight;                                 ///< m3
     Eigen::Matrix<double, fields, points> mode;         ///< phi_m or L_v at the points
     Fields mass_inverse;
   };
   struct Kinematics {
+    Gradients gradient;                                 ///< 1/m
     std::array<Eigen::Matrix3d, points> F, cofactor;
     PointValues J, dilatation, pressure, modulus;
     double volumetric_energy = 0.0;
@@ -80,7 +82,7 @@ class CellKernel final : public Tissue::Kernel {
 
  public:
   CellKernel(const Tissue::Fields& field, const mesh::BodyMesh& mesh, const std::vector<materials::SolidLaw>& laws)
-      : to_nodes_(points_to_nodes(mesh.kind)) {
+      : reference_(reference_gradients(mesh.kind)), to_nodes_(points_to_nodes(mesh.kind)) {
     const PressureUnknowns unknowns = pressure_unknowns(mesh);
     cells_.resize(mesh.cells.size());
     for (std::size_t c = 0; c < cells_.size(); ++c) {
@@ -89,7 +91,7 @@ class CellKernel final : public Tissue::Kernel {
       cell.law = &laws[mesh.cell_layer[c]];
       cell.split = materials::is_split(*cell.law);
       cell.own = field.cells(2 * modes * static_cast<int>(c));
-      cell.gradient = table.gradient, cell.weight = table.weight;
+      cell.inverse = table.inverse, cell.weight = table.weight;
       for (int a = 0; a < nodes; ++a)
         for (int i = 0; i < 3; ++i) cell.entry[3 * a + i] = field.positions(mesh.cells[c][a], i);
       for (int v = 0; v < vertices; ++v) cell.entry[positions + v] = field.pressures(unknowns.of_cell[c][v]);
@@ -137,8 +139,9 @@ class CellKernel final : public Tissue::Kernel {
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override {
     double bound = limit;
     for (const Cell& cell : cells_) {
-      const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * cell.gradient;
-      const Eigen::Matrix<double, 3, 3 * points> dF = vectors(direction, cell) * cell.gradient;
+      const Gradients gradient = gradients(cell);
+      const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * gradient;
+      const Eigen::Matrix<double, 3, 3 * points> dF = vectors(direction, cell) * gradient;
       for (int q = 0; q < points; ++q) {
         const double root = first_inversion(F.template middleCols<3>(3 * q), dF.template middleCols<3>(3 * q), limit);
         if (root < limit) bound = std::min(bound, 0.9 * root);
@@ -199,8 +202,17 @@ class CellKernel final : public Tissue::Kernel {
     return x;
   }
 
+  /// Made where they are wanted: stored they would take nine times the memory of the Jacobians.
+  Gradients gradients(const Cell& cell) const {
+    Gradients g;
+    for (int q = 0; q < points; ++q)
+      g.template middleCols<3>(3 * q).noalias() = reference_.template middleCols<3>(3 * q) * cell.inverse.template middleCols<3>(3 * q);
+    return g;
+  }
+
   bool kinematics(const State& state, const Cell& cell, Kinematics& k) const {
-    const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * cell.gradient;
+    k.gradient = gradients(cell);
+    const Eigen::Matrix<double, 3, 3 * points> F = vectors(state.values, cell) * k.gradient;
     for (int q = 0; q < points; ++q) {
       k.F[q] = F.template middleCols<3>(3 * q);
       k.J[q] = k.F[q].determinant();
@@ -266,7 +278,7 @@ class CellKernel final : public Tissue::Kernel {
   Eigen::Matrix<double, fields, positions> volume_derivative(const Cell& cell, const Kinematics& k) const {
     Eigen::Matrix<double, fields, positions> D = Eigen::Matrix<double, fields, positions>::Zero();
     for (int q = 0; q < points; ++q) {
-      const Eigen::Matrix<double, 3, nodes> g = k.cofactor[q] * cell.gradient.template middleCols<3>(3 * q).transpose();
+      const Eigen::Matrix<double, 3, nodes> g = k.cofactor[q] * k.gradient.template middleCols<3>(3 * q).transpose();
       D += cell.weight[q] * cell.mode.col(q) * Eigen::Map<const Eigen::Matrix<double, 1, positions>>(g.data());
     }
     return D;
@@ -293,13 +305,13 @@ class CellKernel final : public Tissue::Kernel {
       for (int i = 0; i < 3 && tangent; ++i)
         for (int j = 0; j < 3; ++j) A[q][3 * i + j] = cell.weight[q] * p.tangent.template block<3, 3>(3 * i, 3 * j);
     }
-    Eigen::Map<Eigen::Matrix<double, 3, nodes>>(slot.residual.data()) = stress * cell.gradient.transpose();
+    Eigen::Map<Eigen::Matrix<double, 3, nodes>>(slot.residual.data()) = stress * k.gradient.transpose();
     if (vertices > 0) slot.residual.template tail<vertices>().setZero();
-    if (tangent) displacement_tangent(cell, A, slot);
+    if (tangent) displacement_tangent(k.gradient, A, slot);
     if (cell.split) pressure_parts(cell, k, tangent, slot);
   }
 
-  void displacement_tangent(const Cell& cell, const std::array<std::array<Eigen::Matrix3d, 9>, points>& A,
+  void displacement_tangent(const Gradients& gradient, const std::array<std::array<Eigen::Matrix3d, 9>, points>& A,
                             Slot& slot) const {
     if (vertices > 0) slot.matrix.template rightCols<vertices>().setZero();
     if (vertices > 0) slot.matrix.template bottomRows<vertices>().setZero();
@@ -309,8 +321,8 @@ class CellKernel final : public Tissue::Kernel {
       for (int j = i; j < 3; ++j) {
         for (int q = 0; q < points; ++q)
           right.template middleRows<3>(3 * q).noalias() =
-              A[q][3 * i + j] * cell.gradient.template middleCols<3>(3 * q).transpose();
-        block.noalias() = cell.gradient * right;
+              A[q][3 * i + j] * gradient.template middleCols<3>(3 * q).transpose();
+        block.noalias() = gradient * right;
         for (int a = 0; a < nodes; ++a)
           for (int b = 0; b < nodes; ++b) {
             slot.matrix(3 * a + i, 3 * b + j) = block(a, b);
@@ -337,6 +349,7 @@ class CellKernel final : public Tissue::Kernel {
     }
   }
 
+  Gradients reference_;
   Eigen::Matrix<double, points, nodes> to_nodes_;
   std::vector<Cell> cells_;
 };

@@ -53,6 +53,10 @@ void expect_as_dense(const Numbering& numbering, const std::vector<const Element
   EXPECT_LE((dense(scatter, unknowns) - ours(matrix)).norm(), 1e-14);
   EXPECT_LE((scatter.residual() - ours(residual)).norm(), 1e-14);
   EXPECT_LE((scatter.condensed() - ours(condensed)).norm(), 1e-14);
+  const Eigen::VectorXd factor = random_vector(unknowns, 1.0, 8);
+  Eigen::VectorXd product = Eigen::VectorXd::Zero(end - first);
+  solver::multiply(scatter.own_rows(), factor.data(), product.data());
+  EXPECT_LE((product - ours(matrix) * factor).norm(), 1e-14);
   const Eigen::VectorXd diagonal = random_vector(end - first, 1.0, 7);
   scatter.add_diagonal(diagonal);
   for (int row = first; row < end; ++row) matrix(row, row) += diagonal[row - first];
