@@ -178,7 +178,8 @@ struct RunResult {
   std::map<std::string, long> linear_solver;  ///< "factorisations", "solutions", "krylov_iterations", "ranks"
   std::string factor;                         ///< how the last factor was made: order of elimination, precision
   double max_penetration = 0.0;   ///< m
-  double peak_memory = 0.0;       ///< bytes
+  double peak_memory = 0.0;       ///< bytes, of all ranks together
+  double peak_memory_of_a_rank = 0.0;  ///< bytes, the largest
   int increments = 0, iterations = 0;
   double mean_laplace_pressure = 0.0;     ///< Pa, L0 sanity value over the covered skin
   std::map<std::string, double> numbers;  ///< further named values for expected.toml ("mean_contact_pressure_Pa", ...)

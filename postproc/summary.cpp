@@ -272,6 +272,7 @@ Json summary_document(const RunResult& run, const Evaluation& evaluation, const 
   json["linear_solver"] = object(run.linear_solver);
   if (!run.factor.empty()) json["linear_solver"]["factor"] = run.factor;
   json["peak_memory_bytes"] = run.peak_memory;
+  json["peak_memory_of_a_rank_bytes"] = run.peak_memory_of_a_rank;
   json["mesh_quality"] = object(provenance.mesh_quality);
   json["command"] = provenance.command;
   json["versions"] = object(provenance.versions);

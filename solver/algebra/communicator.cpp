@@ -39,6 +39,12 @@ double sum_over_ranks(double value) {
   return sum;
 }
 
+double largest_over_ranks(double value) {
+  double largest = value;
+  if (ranks() > 1) MPI_Allreduce(&value, &largest, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return largest;
+}
+
 bool on_all_ranks(bool value) {
   if (ranks() == 1) return value;
   int mine = value ? 1 : 0, all = 0;

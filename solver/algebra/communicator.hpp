@@ -17,6 +17,7 @@ int ranks();
 
 /// Sum over the ranks, the same to the last bit on every rank.
 double sum_over_ranks(double value);
+double largest_over_ranks(double value);
 /// True where it is true on every rank.
 bool on_all_ranks(bool value);
 /// Every rank fills its own range [first, end) of `values`; afterwards all have all.

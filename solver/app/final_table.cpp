@@ -114,6 +114,12 @@ std::string linear_text(const postproc::RunResult& run) {
   return text + "\n";
 }
 
+std::string memory_of_ranks(const postproc::RunResult& run) {
+  const auto ranks = run.linear_solver.find("ranks");
+  if (ranks == run.linear_solver.end() || ranks->second < 2) return {};
+  return fmt::format(" of {} ranks together, at most {} of one", ranks->second, memory_text(run.peak_memory_of_a_rank));
+}
+
 std::string donning_text(const postproc::RunResult& run) {
   if (run.donning.empty()) return {};
   std::string text = "  spread over the assumed way of putting on, on the rigid skin (mean and largest pressure):\n";
@@ -166,7 +172,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
   text += locations_text(evaluation) + hems_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
-  if (run.peak_memory > 0.0) text += fmt::format("  memory             {}\n", memory_text(run.peak_memory));
+  if (run.peak_memory > 0.0) text += fmt::format("  memory             {}{}\n", memory_text(run.peak_memory), memory_of_ranks(run));
   return text + fmt::format("  files              {}\n", out.string());
 }
 

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <sstream>
 
 #include "cases/input/files.hpp"
 #include "solver/app/command.hpp"
@@ -90,6 +91,14 @@ std::vector<std::string> own_arguments() {
   std::vector<std::string> words = words_of_process();
   std::erase_if(words, [](const std::string& word) { return word.starts_with(status_option); });
   return words;
+}
+
+bool mpirun_is_there() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (::access((fs::path(folder) / "mpirun").c_str(), X_OK) == 0) return true;
+  return false;
 }
 
 int launch_ranks(int ranks, const Cleaner& cleaner) {

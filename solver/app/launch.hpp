@@ -12,6 +12,8 @@ namespace snug::app {
 /// The words that started this process, the program first; what the launcher adds for its ranks is left out.
 std::vector<std::string> own_arguments();
 
+bool mpirun_is_there();
+
 /// Runs this command line again as `ranks` processes under mpirun and gives the exit status that rank 0 has written down
 /// (report_status). The first SIGINT, SIGTERM or SIGHUP goes to the ranks, which end in good order; the second kills them.
 /// They end with this process whatever ends it, and what they had in temporary folders and in shared memory is removed.

@@ -29,6 +29,7 @@
 #include "solver/app/scratch.hpp"
 #include "solver/app/state_files.hpp"
 #include "solver/app/stop_signals.hpp"
+#include "solver/library/size_estimate.hpp"
 
 namespace snug::app {
 
@@ -97,7 +98,7 @@ class Run : public Command {
     app.add_option("DIR", directories_, "case directories")->required();
     options_.declare(app);
     app.add_option("--out", out_, "where the results go (out/ in the case directory)")->type_name("DIR");
-    app.add_option("--ranks", ranks_, "processes that share the work: snug starts itself again under mpirun (1)")
+    app.add_option("--ranks", ranks_, "processes that share the work: snug starts itself again under mpirun (1, of a large body 2)")
         ->check(CLI::Range(1, 4096));
     app.add_flag("--pictures", pictures_, "also draw the body from four sides for report.html (takes a few seconds)");
     app.add_flag("--no-report", no_report_, "leave report.html out");
@@ -123,15 +124,20 @@ class Run : public Command {
       throw input::InputError({"--resume", 0, 0}, "--states keeps the states of the whole path", "run from the beginning, or leave --states out");
     cleaner_.emplace();
     if (const solver::Launcher launcher = solver::launcher(); launcher.there && launcher.processes != 1) return run_as_rank(launcher);
-    if (ranks_ > 1) {
+    if (const int ranks = ranks_ > 0 ? ranks_ : chosen_ranks(); ranks > 1) {
       for (const std::string& directory : directories_) options_.read(directory);  // what is wrong is said once
-      return launch_ranks(ranks_, *cleaner_);
+      return launch_ranks(ranks, *cleaner_);
     }
     const StopSignals signals(false);
     return run_all();
   }
 
  private:
+  /// Several cases are run one after the other by this process.
+  int chosen_ranks() const {
+    return directories_.size() == 1 && mpirun_is_there() ? solver::usual_ranks(options_.read(directories_.front())) : 1;
+  }
+
   int run_all() {
     int status = done;
     for (const std::string& directory : directories_) {
@@ -301,7 +307,7 @@ class Run : public Command {
   std::vector<std::string> directories_;
   CaseOptions options_;
   std::string out_, status_file_;
-  int ranks_ = 1, states_ = 0;
+  int ranks_ = 0, states_ = 0;  // no ranks given: 0
   double interval_ = 60.0;
   bool quiet_ = false, pictures_ = false, no_report_ = false, resume_ = false;
   bool writes_ = true;   ///< rank 0

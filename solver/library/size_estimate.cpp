@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 namespace snug::solver {
 
@@ -23,12 +24,23 @@ double solid_cells(const input::BodySpec& body) {
   return cells;
 }
 
-double body_bytes(const input::BodySpec& body, double around, double along, double through, bool deformable) {
+struct BodySize {
+  double nodes, unknowns;
+};
+
+BodySize body_size(const input::BodySpec& body, double around, double along, double through) {
   const bool quadratic = body.elements != input::Elements::Q1P0;
   const double nodes = 2.0 * around * (2.0 * along + 1.0) * (2.0 * through + 1.0);  // meshed with 27 nodes in any case
-  const double unknowns = 3.0 * (quadratic ? nodes : nodes / 8.0);
-  return meshing_node * nodes + memory_of_run(0.0, deformable ? unknowns : 0.0);
+  return {nodes, 3.0 * (quadratic ? nodes : nodes / 8.0)};
 }
+
+double body_bytes(const input::BodySpec& body, double around, double along, double through, bool deformable) {
+  const BodySize size = body_size(body, around, along, through);
+  return meshing_node * size.nodes + memory_of_run(0.0, deformable ? size.unknowns : 0.0);
+}
+
+// docs/growth.md has the times on one rank and on two.
+constexpr double two_ranks_from = 1e5;  // unknowns of the body
 
 }  // namespace
 
@@ -39,6 +51,13 @@ double memory_of_machine() {
     if (std::ifstream(file) >> limit && limit > 0.0) bytes = std::min(bytes, limit);
   }
   return bytes;
+}
+
+int usual_ranks(const input::Case& description) {
+  const bool lattice = description.body && description.body->kind != input::BodyKind::imported;
+  if (!lattice || description.solver.tier != input::Tier::L4 || std::thread::hardware_concurrency() < 2) return 1;
+  const input::BodySpec& body = *description.body;
+  return body_size(body, body.cells_around, body.cells_along, solid_cells(body)).unknowns >= two_ranks_from ? 2 : 1;
 }
 
 void refuse_large_body(const input::Case& description, double limit) {

@@ -206,7 +206,7 @@ void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
 }  // namespace
 
 double memory_of_run(double rigid, double body) {
-  return 2e8 + 6e3 * rigid + (body + rigid >= single_precision_from ? 2.2e4 : 3e4) * body;
+  return 2e8 + 6e3 * rigid + (body + rigid >= single_precision_from ? 1.4e4 : 2.4e4) * body;
 }
 
 Plan plan(const Model& model, const Meshes& meshes) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/algebra/communicator.hpp"
 #include "solver/scene/guards.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/loads.hpp"
@@ -251,7 +252,8 @@ class Run {
   void look_back() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    result_.peak_memory = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    const double own = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    result_.peak_memory = sum_over_ranks(own), result_.peak_memory_of_a_rank = largest_over_ranks(own);
     if (!result_.garment.triangles.empty()) guard(model_, meshes_, result_), log_.phase("results");
     result_.remedies = what_to_try(model_, meshes_, result_);
   }

@@ -47,10 +47,17 @@ Contact::Gap Contact::gap(const State& state, const TriangleNodes& x, const Cont
   return gap;
 }
 
-double Contact::pressure(const State& state, int triangle, const ContactPoint& point) const {
-  const Eigen::Vector3d phi = basis(point.L);
+double Contact::multiplier(const State& state, int triangle, const Eigen::Vector3d& L) const {
+  const Eigen::Vector3d phi = basis(L);
   double p = 0.0;
-  for (int v = 0; v < 3; ++v) p += phi[v] * state.values[interface_.pressures(interface_.slave.triangles[triangle].vertices[v])];
+  for (int v = 0; v < 3; ++v) p += phi[v] * multiplier(state, vertices_of(triangle)[v]);
+  return p;
+}
+
+double Contact::pressure(const State& state, int triangle, const Eigen::Vector3d& L) const {
+  const Eigen::Vector3d phi = basis(L);
+  double p = 0.0;
+  for (int v = 0; v < 3; ++v) p += phi[v] * pressure(state, vertices_of(triangle)[v]);
   return p;
 }
 

@@ -73,8 +73,10 @@ class Contact : public Term {
   int vertices() const { return interface_.slave.vertices(); }
   /// Multiplier of a node of the slave's mesh, -1 where the node is no vertex.
   int multiplier_of(int node) const { return interface_.slave.vertex_of_node[node]; }
-  /// Pa, per rest area of the slave.
-  double pressure(const State& state, int vertex) const { return state.values[interface_.pressures(vertex)]; }
+  /// Pa, per rest area of the slave: the multiplier as the iterate has it.
+  double multiplier(const State& state, int vertex) const { return state.values[interface_.pressures(vertex)]; }
+  /// The same where the vertex is in contact, 0 elsewhere: the solver leaves round-off there, which would count as touching.
+  double pressure(const State& state, int vertex) const { return active(state)[vertex] ? multiplier(state, vertex) : 0.0; }
   void set_stiffness(double stiffness) { stiffness_ = stiffness; }
   const ContactHistory& history(const State& state) const { return state.history.get<ContactHistory>(name_); }
   /// Active set as found by the last update, one flag a vertex.
@@ -126,7 +128,8 @@ class Contact : public Term {
   Eigen::Vector3d basis(const Eigen::Vector3d& L) const;
   TriangleNodes positions(const State& state, int triangle) const;
   Gap gap(const State& state, const TriangleNodes& x, const ContactPoint& point) const;
-  double pressure(const State& state, int triangle, const ContactPoint& point) const;
+  double multiplier(const State& state, int triangle, const Eigen::Vector3d& L) const;
+  double pressure(const State& state, int triangle, const Eigen::Vector3d& L) const;
   ContactHistory& edit(State& state) const;
   void locate(const State& state, ContactHistory& history) const;
   void couple(Element& element) const;

@@ -55,7 +55,7 @@ void Contact::add_point(const State& state, const ContactHistory& history, int t
   const Gap g = gap(state, x, point);
   if (!g.facing) return;
   const ContactSlave::Triangle& slave = interface_.slave.triangles[triangle];
-  const double weight = point.weight * slave.area, p = pressure(state, triangle, point);
+  const double weight = point.weight * slave.area, p = multiplier(state, triangle, point.L);
   Eigen::Matrix<double, Patch::size, 1> G = Eigen::Matrix<double, Patch::size, 1>::Zero();  // dg
   for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = point.N[a] * g.at.n;
   for (int b = 0; b < 9 && master().deformable(); ++b) G.segment<3>(Patch::master + 3 * b) = -g.shape.N[b] * g.at.n;

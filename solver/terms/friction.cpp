@@ -36,7 +36,7 @@ Friction::Friction(std::string name, const Contact& contact, double coefficient,
     : name_(std::move(name)), contact_(contact), coefficient_(coefficient), elastic_slip_(elastic_slip), sticking_(sticking) {}
 
 double Friction::vertex_pressure(const State& state, int vertex) const {
-  return std::max(0.0, contact_.pressure(state, vertex));
+  return std::max(0.0, contact_.multiplier(state, vertex));
 }
 
 double Friction::slip_stiffness(const State& state) const {

@@ -23,8 +23,9 @@ class Program : public testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  Outcome snug(const std::string& arguments) const {
-    const std::string command = "cd '" + folder_.string() + "' && '" + SNUG_BINARY + "' " + arguments + " 2>&1";
+  /// `before`: variables or a program that starts ours.
+  Outcome snug(const std::string& arguments, const std::string& before = "") const {
+    const std::string command = "cd '" + folder_.string() + "' && " + before + " '" + SNUG_BINARY + "' " + arguments + " 2>&1";
     Outcome outcome;
     FILE* pipe = ::popen(command.c_str(), "r");
     std::array<char, 4096> block;

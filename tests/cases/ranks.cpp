@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -52,6 +53,22 @@ TEST_F(Program, TwoAndFourRanksGiveTheAnswerOfOne) {
       for (int c = 0; c < 3; ++c) EXPECT_NEAR(other[i][c], answers[0][i][c], 1e-8 * displacement) << i;
       EXPECT_NEAR(other[i][3], answers[0][i][3], 1e-8 * pressure) << i;
     }
+}
+
+// A launcher that tells of its processes by PMIx alone, as srun does, gives one run on two ranks; and where a launcher has started several
+// that MPI does not know of, none of them computes the whole for itself.
+TEST_F(Program, LaunchersBesideMpirunAreKnown) {
+  ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);
+  const std::string coarse = "run mine --quiet --set body.cells_around=16 --set body.cells_along=2 ";
+  const Outcome pmix = snug(coarse + "--out two", "mpirun -n 2 --oversubscribe $([ $(id -u) = 0 ] && echo --allow-run-as-root) env -u OMPI_COMM_WORLD_SIZE");
+  ASSERT_EQ(pmix.status, 0) << pmix.text;
+  std::ifstream summary(folder_ / "two/summary.json");
+  const std::string text((std::istreambuf_iterator<char>(summary)), {});
+  EXPECT_NE(text.find("\"ranks\": 2,"), std::string::npos);
+  const Outcome unknown = snug(coarse + "--out three", "env PMI_SIZE=3 PMI_RANK=0");
+  EXPECT_EQ(unknown.status, 2) << unknown.text;
+  EXPECT_NE(unknown.text.find("started 3 processes"), std::string::npos) << unknown.text;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "three"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -25,6 +26,7 @@ void read_summary(const fs::path& file, StudyRow& row) {
   const nlohmann::json summary = nlohmann::json::parse(in);
   row.status = summary.at("status");
   row.unknowns = number(summary.at("unknowns"), "total");
+  row.memory = std::max(row.memory, number(summary, "peak_memory_bytes"));  // of all ranks
   row.increments = number(summary, "increments"), row.iterations = number(summary, "iterations");
   for (const auto& phase : summary.at("phases")) row.phases.push_back({phase.at("name"), phase.at("seconds")});
   row.mean_pressure = number(summary.at("numbers"), "mean_contact_pressure_Pa");

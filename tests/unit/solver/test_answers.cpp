@@ -318,5 +318,30 @@ TEST(Numbers, TheMeanPressureIsOverWhatTouches) {
   EXPECT_NEAR(result.numbers.at("contact_area_m2"), touching, 1e-9 * touching);
 }
 
+// What the solver leaves of round-off at vertices that do not touch is no contact: the area is the same when they hold +1e-14 Pa, and
+// when they hold -1e-14 Pa.
+TEST(Numbers, RoundOffIsNoContact) {
+  TubeCase tube = coarse();
+  tube.tier = input::Tier::L1, tube.along = 4, tube.taper = 0.1, tube.sleeve = 0.0575;
+  const input::Case c = describe_tube(tube);
+  const solver::Meshes meshes = make_meshes(c);
+  solver::Scene scene = tests::make_scene(c, meshes, solver::Skin::rigid);
+  solver::State state = solver::placed_state(scene.layout(), meshes);
+  state.load = 1.0;
+  ASSERT_EQ(solver::newton(scene, state, {}, [](const postproc::Iteration&) {}), solver::Outcome::converged);
+  const auto& contact = *scene.find<solver::Contact>();
+  const auto touching = [&](double off) {
+    solver::State noisy = state;
+    for (int i = 0; i < contact.vertices(); ++i)
+      if (!contact.active(state)[i]) noisy.values[scene.layout()[contact.name()](i)] = off;
+    int points = 0;
+    for (const auto& point : contact.point_forces(noisy)) points += point.pressing > 0.0;
+    return points;
+  };
+  EXPECT_GT(touching(0.0), 0);
+  EXPECT_EQ(touching(1e-14), touching(0.0));
+  EXPECT_EQ(touching(-1e-14), touching(0.0));
+}
+
 }  // namespace
 }  // namespace snug::tests
