@@ -57,22 +57,31 @@ WCurve WCurve::stepped(int steps, double tau) const {
   return {remaining, h.topLeftCorner(dimension(), n - steps + 1) * w.cwiseInverse().asDiagonal(), w};
 }
 
+WCurve WCurve::with_knots(const SegmentKnots& knots) const {
+  const int n = degree();
+  if (knots.degree() != n)
+    throw std::invalid_argument(fmt::format("knots of degree {} for a curve of degree {}", knots.degree(), n));
+  Eigen::MatrixXd h(dimension() + 1, n + 1);
+  for (int i = 0; i <= n; ++i) {
+    Eigen::MatrixXd d = homogeneous_;
+    for (int l = 1; l <= n; ++l) {
+      const double argument = l <= n - i ? knots.u()[i + l - 1] : knots.r()[l - (n - i) - 1];
+      for (int k = 0; k <= n - l; ++k) {
+        const double lambda = knots_.lambda(k, l, argument);
+        d.col(k) = lambda * d.col(k) + (1.0 - lambda) * d.col(k + 1);
+      }
+    }
+    h.col(i) = d.col(0);
+  }
+  const Eigen::VectorXd w = h.row(dimension());
+  return {knots, h.topRows(dimension()) * w.cwiseInverse().asDiagonal(), w};
+}
+
 WCurve WCurve::bezier(double from, double to) const {
   if (!(knots_.start() <= from && from < to && to <= knots_.end()))
     throw std::invalid_argument(
         fmt::format("[{}, {}] is no part of the curve's [{}, {}]", from, to, knots_.start(), knots_.end()));
-  const int n = degree();
-  Eigen::MatrixXd h(dimension() + 1, n + 1), d = homogeneous_;  // d: after n - i steps at `from`
-  for (int i = n; i >= 0; --i) {
-    h.col(i) = i == 0 ? Eigen::VectorXd(d.col(0)) : Eigen::VectorXd(d.leftCols(i + 1) * knots_.bases(to, 0, n - i));
-    if (i == 0) break;
-    for (int k = 0, l = n - i + 1; k <= n - l; ++k) {
-      const double lambda = knots_.lambda(k, l, from);
-      d.col(k) = lambda * d.col(k) + (1.0 - lambda) * d.col(k + 1);
-    }
-  }
-  const Eigen::VectorXd w = h.row(dimension());
-  return {SegmentKnots::bezier(n, from, to), h.topRows(dimension()) * w.cwiseInverse().asDiagonal(), w};
+  return with_knots(SegmentKnots::bezier(degree(), from, to));
 }
 
 }  // namespace snug::mesh::curves

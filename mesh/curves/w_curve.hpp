@@ -32,8 +32,11 @@ class WCurve {
   /// curve's; varied by tau at constant t the derivative there is steps/n of it. steps = n - 1 are the tangents (3.9).
   WCurve stepped(int steps, double tau) const;
 
-  /// The same curve between from and to, inside [start, end], as a rational Bézier curve on [from, to]: its homogeneous
-  /// point i is what n - i steps at `from` and then i steps at `to` give (3.11), (3.12).
+  /// The same curve by other knots of its degree: P_i is the polar form at u_{i+1}…u_n, r_0…r_{i-1}, one step an
+  /// argument. Throws std::invalid_argument where a weight would not be positive (knots far outside).
+  WCurve with_knots(const SegmentKnots& knots) const;
+  /// By Bézier knots on [from, to], a part of [start, end]: n - i steps at `from` and then i steps at `to` (3.11),
+  /// (3.12).
   WCurve bezier(double from, double to) const;
   WCurve bezier() const { return bezier(knots_.start(), knots_.end()); }
 

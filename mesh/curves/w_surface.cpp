@@ -102,20 +102,25 @@ WSurface WSurface::stepped(int k, int l, double eps, double eta) const {
   return {left, u, v};
 }
 
-WSurface WSurface::bezier() const {
+WSurface WSurface::with_knots(const SegmentKnots& u, const SegmentKnots& v) const {
   Homogeneous h = homogeneous_;
   const int rows = u_.degree() + 1;
   for (int j = 0; j < across(); ++j) {  // along u, then along v: homogeneous points are points of a polynomial curve
     Eigen::MatrixXd column(4, rows);
     for (int i = 0; i < rows; ++i) column.col(i) = h.col(i * across() + j);
-    column = WCurve(u_, column).bezier().points();
+    column = WCurve(u_, column).with_knots(u).points();
     for (int i = 0; i < rows; ++i) h.col(i * across() + j) = column.col(i);
   }
   for (int i = 0; i < rows; ++i)
     h.middleCols(i * across(), across()) =
-        WCurve(v_, Eigen::MatrixXd(h.middleCols(i * across(), across()))).bezier().points();
-  return {h, SegmentKnots::bezier(u_.degree(), u_.start(), u_.end()),
-          SegmentKnots::bezier(v_.degree(), v_.start(), v_.end())};
+        WCurve(v_, Eigen::MatrixXd(h.middleCols(i * across(), across()))).with_knots(v).points();
+  if (!(h.row(3).array() > 0.0).all()) throw std::invalid_argument("a weight would not be positive with these knots");
+  return {h, u, v};
+}
+
+WSurface WSurface::bezier() const {
+  return with_knots(SegmentKnots::bezier(u_.degree(), u_.start(), u_.end()),
+                    SegmentKnots::bezier(v_.degree(), v_.start(), v_.end()));
 }
 
 }  // namespace snug::mesh::curves

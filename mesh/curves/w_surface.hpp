@@ -39,8 +39,10 @@ class WSurface {
   /// m-1 are ruled surfaces.
   WSurface stepped(int k, int l, double eps, double eta) const;
 
-  /// The same surface as a rational Bézier surface of its whole domain: homogeneous point (i, j) is what n - i steps at
-  /// the start of u and i at its end, m - j at the start of v and j at its end give (3.18), (3.19).
+  /// The same surface by other knots of its degrees. Throws as WCurve::with_knots.
+  WSurface with_knots(const SegmentKnots& u, const SegmentKnots& v) const;
+  /// By Bézier knots on its whole domain: n - i steps at the start of u and i at its end, m - j at the start of v and j
+  /// at its end give the homogeneous point (i, j) (3.18), (3.19).
   WSurface bezier() const;
 
  private:
