@@ -1,5 +1,5 @@
 // snug convert DIR FILE.inp or FILE.cdb: the body of a case with its supports and loads as CalculiX input or as a CDB
-// file; SYSTEM FILE.fll or FILE.fis: a fuzzy system.
+// file; SYSTEM FILE.fll or FILE.fis: a fuzzy system; CURVES FILE: curves and surfaces.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,7 @@
 #include "mesh/body/to_model.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/write_named.hpp"
+#include "solver/app/convert_curves.hpp"
 #include "solver/app/convert_fuzzy.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/scene/constraints.hpp"
@@ -107,19 +108,28 @@ class Convert : public Command {
  public:
   std::string name() const override { return "convert"; }
   std::string summary() const override {
-    return "write the body of a case with its loads as CalculiX input or as a CDB file, or a fuzzy system as FLL or FIS";
+    return "write the body of a case with its loads as CalculiX input or as a CDB file, a fuzzy system as FLL or FIS, or curves and "
+           "surfaces as JSON, STEP, IGES, DXF or SVG";
   }
 
   void declare(CLI::App& app) override {
-    app.add_option("DIR", directory_, "case directory, or a fuzzy system: a shipped name or a .fll or .fis file")
+    app.add_option("DIR", directory_,
+                   "case directory, or a fuzzy system: a shipped name or a .fll or .fis file, or curves: a .json, .step, .igs or .dxf file")
         ->required();
     app.add_option("FILE", file_,
-                   "where the result goes: FILE.inp for CalculiX and Abaqus, FILE.cdb for Ansys, FILE.fll or FILE.fis")
+                   "where the result goes: FILE.inp for CalculiX and Abaqus, FILE.cdb for Ansys, FILE.fll or FILE.fis; of curves FILE.json, "
+                   ".step, .igs, .dxf or .svg")
         ->required();
+    app.add_option("--subdivide", subdivisions_, "of curves: steps of four-point subdivision of the nets in FILE.json, or of their picture")
+        ->check(CLI::Range(0, 10));
     options_.declare(app);
   }
 
   int execute() override {
+    if (is_curve_file(directory_)) {
+      convert_curves(directory_, file_, subdivisions_);
+      return done;
+    }
     if (is_fuzzy_file(file_)) {
       convert_fuzzy(directory_, file_);
       return done;
@@ -141,6 +151,7 @@ class Convert : public Command {
 
  private:
   std::string directory_, file_;
+  int subdivisions_ = 0;
   CaseOptions options_;
 };
 
