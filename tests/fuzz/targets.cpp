@@ -10,6 +10,7 @@
 #include "cases/input/csv.hpp"
 #include "cases/input/table.hpp"
 #include "mesh/body/foreign.hpp"
+#include "mesh/formats/curve_set.hpp"
 #include "mesh/formats/geo_script.hpp"
 #include "mesh/formats/gmsh_file.hpp"
 #include "mesh/formats/triangle_surface.hpp"
@@ -77,6 +78,25 @@ std::vector<Target> mesh_targets() {
       {"msh", gmsh(".msh"), corpus("msh"), {"$Nodes\n", "$EndNodes\n", "$Elements\n", "$EndElements\n", "99999999999", "-1", "0 ", "1e999", "nan", "\n"}},
       {"geo", gmsh(".geo"), corpus("geo"), {"For ", "EndFor\n", "{", "}", "Physical ", "Volume", "= ", "Mesh.", "1e999", ";\n", "//", "\"", "Save \"x\";", "~{1}"}},
       {"summary", summary, corpus("summary"), {"null", "[]", "{}", "\"status\": ", "1e999", "-1", "\"", ",", ":", "true"}},
+  };
+}
+
+/// Readers of curves and surfaces. What is read must also be drawn, written and read again.
+std::vector<Target> curve_targets() {
+  const auto used = [](mesh::CurveSet set) {
+    if (mesh::curve_json(mesh::parse_curve_json(mesh::curve_json(set), "again")) != mesh::curve_json(set))
+      throw std::logic_error("what is written is read as something else");
+    std::erase_if(set.nets, [](const auto& net) { return net.shape.points.cols() > 1000; });
+    mesh::curve_svg(set, {.subdivisions = 2});
+  };
+  const auto json = [used](const fs::path&, const std::string& text) { used(mesh::parse_curve_json(text, "fuzz")); };
+  const auto dxf = [used](const fs::path&, const std::string& text) {
+    std::string left_out;
+    used(mesh::parse_dxf_splines(text, "fuzz", left_out));
+  };
+  return {
+      {"curvejson", json, corpus("curvejson"), {"[", "]", "{", "}", ",", ":", "\"degree\": ", "\"knots\": [", "\"closed\": [true, true]", "1e999", "1e308", "-0", "null", "\\u0000", "\n"}},
+      {"curvedxf", dxf, corpus("curvedxf"), {"0\nSPLINE\n", "40\n", "41\n", "10\n", "71\n", "$INSUNITS\n70\n", "1e308", "nan", "-1", "\r\n", "\n", "0\nSECTION\n2\nENTITIES\n"}},
   };
 }
 
@@ -197,6 +217,7 @@ bool has_place(const input::InputError& error) {
 std::vector<Target> targets() {
   std::vector<Target> all = text_targets();
   for (Target& target : mesh_targets()) all.push_back(std::move(target));
+  for (Target& target : curve_targets()) all.push_back(std::move(target));
   return all;
 }
 
