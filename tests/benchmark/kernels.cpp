@@ -1,6 +1,7 @@
 // Speed of the kernels that a run spends its time in. Not a test: build and run the target snug_benchmark.
 #include <benchmark/benchmark.h>
 
+#include "mesh/curves/w_surface.hpp"
 #include "solver/fem/plane_shape.hpp"
 #include "solver/scene/scene.hpp"
 #include "tests/verification/tube.hpp"
@@ -77,6 +78,26 @@ void shape_values(benchmark::State& loop) {
   for (auto _ : loop) benchmark::DoNotOptimize(fem::plane_values<element>(somewhere(++i)));
 }
 
+/// Points of one bicubic rational patch, a million an iteration.
+void surface_points(benchmark::State& loop) {
+  using mesh::curves::SegmentKnots;
+  Eigen::Matrix3Xd points(3, 16);
+  Eigen::VectorXd weights(16);
+  for (int k = 0; k < 16; ++k) {
+    points.col(k) << k / 4, k % 4, std::sin(k);
+    weights[k] = 1.0 + 0.3 * std::cos(k);
+  }
+  const SegmentKnots knots({-0.5, -0.2, 0.0}, {1.0, 1.1, 1.4});
+  const mesh::curves::WSurface surface(knots, knots, points, weights);
+  constexpr int million = 1000000;
+  for (auto _ : loop) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < million; ++i) sum += surface.point(i % 1009 / 1008.0, i % 997 / 996.0);
+    benchmark::DoNotOptimize(sum.data());
+  }
+  loop.SetItemsProcessed(loop.iterations() * million);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -92,5 +113,6 @@ int main(int argc, char** argv) {
   benchmark::RegisterBenchmark("tri6 shape", shape<fem::Element::tri6>);
   benchmark::RegisterBenchmark("quad9 values", shape_values<fem::Element::quad9>);
   benchmark::RegisterBenchmark("tri6 values", shape_values<fem::Element::tri6>);
+  benchmark::RegisterBenchmark("bicubic rational surface, a million points", surface_points)->Unit(benchmark::kMillisecond);
   benchmark::RunSpecifiedBenchmarks();
 }
