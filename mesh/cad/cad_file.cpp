@@ -64,7 +64,8 @@ CurveSet read_by(Reader&& reader, const std::string& file) {
 std::string read_here(const std::string& file, bool iges) {
   try {
     silence_occt();
-    return "+" + curve_json(iges ? read_by(IGESControl_Reader(), file) : read_by(STEPControl_Reader(), file));
+    std::string found = "+";
+    return found.append(curve_json(iges ? read_by(IGESControl_Reader(), file) : read_by(STEPControl_Reader(), file)));
   } catch (const Standard_Failure& failure) {
     return std::string("-OpenCASCADE: ") + failure.GetMessageString();
   } catch (const std::exception& error) {
@@ -84,7 +85,8 @@ std::string step_text(const CurveSet& set) {
     const int before = model->NbEntities();
     if (writer.Transfer(shape_of(shape), STEPControl_AsIs) != IFSelect_RetDone)
       throw Standard_Failure("a shape is not taken into STEP");
-    for (int entity = before + 1; entity <= model->NbEntities(); ++entity)  // OpenCASCADE numbers the names that it is given
+    for (int entity = before + 1; entity <= model->NbEntities();
+         ++entity)  // OpenCASCADE numbers the names that it is given
       if (const auto product = Handle(StepBasic_Product)::DownCast(model->Value(entity)); !product.IsNull())
         product->SetName(new TCollection_HAsciiString(name.c_str()));
   };

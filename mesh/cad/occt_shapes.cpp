@@ -49,7 +49,10 @@ gp_Pnt millimetres(const Eigen::VectorXd& point) {
   return {point[0] / millimetre, point[1] / millimetre, point.size() > 2 ? point[2] / millimetre : 0.0};
 }
 
-Eigen::Vector3d metres(const gp_Pnt& point) { return millimetre * Eigen::Vector3d(point.X(), point.Y(), point.Z()); }
+template <class Column>
+void put_metres(Column&& into, const gp_Pnt& point) {
+  into << millimetre * point.X(), millimetre * point.Y(), millimetre * point.Z();
+}
 
 std::vector<double> flat(const TColStd_Array1OfReal& knots) { return {knots.begin(), knots.end()}; }
 
@@ -58,7 +61,7 @@ BSplineCurve ours(const Handle(Geom_BSplineCurve) & from) {
   BSplineCurve curve{from->Degree(), flat(from->KnotSequence()), Eigen::MatrixXd(3, from->NbPoles()),
                      Eigen::VectorXd(from->NbPoles())};
   for (int i = 1; i <= from->NbPoles(); ++i) {
-    curve.points.col(i - 1) = metres(from->Pole(i));
+    put_metres(curve.points.col(i - 1), from->Pole(i));
     curve.weights[i - 1] = from->Weight(i);
   }
   return curve;
@@ -73,7 +76,7 @@ BSplineSurface ours(const Handle(Geom_BSplineSurface) & from) {
   surface.points.resize(3, rows * columns), surface.weights.resize(rows * columns);
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) {
-      surface.points.col(i * columns + j) = metres(from->Pole(i + 1, j + 1));
+      put_metres(surface.points.col(i * columns + j), from->Pole(i + 1, j + 1));
       surface.weights[i * columns + j] = from->Weight(i + 1, j + 1);
     }
   return surface;

@@ -130,4 +130,21 @@ Eigen::VectorXd QuadraticSpline::derivative(double t) const {
   return m_.col(i) + (t - t_[i]) * bend_.col(i);
 }
 
+BSplineCurve b_spline_of(const QuadraticSpline& spline) {
+  const std::vector<double>& t = spline.parameters();
+  const int n = static_cast<int>(t.size()) - 1;
+  BSplineCurve curve{2, std::vector<double>(3, t.front()), Eigen::MatrixXd(spline.points().rows(), n + 3),
+                     Eigen::VectorXd::Ones(n + 3)};
+  for (int i = 1; i <= n; ++i) curve.knots.push_back(0.5 * (t[i - 1] + t[i]));
+  curve.knots.insert(curve.knots.end(), 3, t.back());
+  for (int k = 0; k < n + 3;
+       ++k) {  // the polar form of a piece that reaches there, at the two knots inside the point's support
+    const int i = std::clamp(k - 1, 0, n);
+    const double a = curve.knots[k + 1] - t[i], b = curve.knots[k + 2] - t[i];
+    curve.points.col(k) =
+        spline.points().col(i) + 0.5 * (a + b) * spline.tangents().col(i) + 0.5 * a * b * spline.bends().col(i);
+  }
+  return curve;
+}
+
 }  // namespace snug::mesh::curves

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "mesh/curves/b_spline.hpp"
+
 namespace snug::mesh::curves {
 
 /// What holds at the two ends; the print has no such condition, and two are missing without.
@@ -30,7 +32,9 @@ class QuadraticSpline {
   static QuadraticSpline by_chords(Eigen::MatrixXd points, const SplineEnds& ends = {});
 
   const std::vector<double>& parameters() const { return t_; }
-  const Eigen::MatrixXd& tangents() const { return m_; }
+  const Eigen::MatrixXd& points() const { return points_; }  // P_i
+  const Eigen::MatrixXd& tangents() const { return m_; }     // m_i
+  const Eigen::MatrixXd& bends() const { return bend_; }     // M_i
   /// Goes on by the outermost parabolas beyond the ends.
   Eigen::VectorXd point(double t) const;
   Eigen::VectorXd derivative(double t) const;
@@ -41,5 +45,9 @@ class QuadraticSpline {
   std::vector<double> t_;
   Eigen::MatrixXd points_, m_, bend_;  // P_i, m_i, M_i
 };
+
+/// The same curve as a B-spline of degree 2, its inner knots the middles of the intervals, for the exchange with other
+/// programs.
+BSplineCurve b_spline_of(const QuadraticSpline& spline);
 
 }  // namespace snug::mesh::curves

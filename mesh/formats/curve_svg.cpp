@@ -161,7 +161,8 @@ std::string curve_svg(const CurveSet& set, const PictureOptions& options) {
   text += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   for (const Stroke& stroke : strokes.all) {
     text += fmt::format("<polyline class=\"{}\" points=\"", stroke.kind);
-    for (std::size_t i = 0; i < stroke.points.size(); ++i) text += (i > 0 ? " " : "") + shown(stroke.points[i]);
+    for (std::size_t i = 0; i < stroke.points.size(); ++i)
+      text.append(i > 0 ? " " : "").append(shown(stroke.points[i]));
     text += "\"/>\n";
   }
   return text + "</svg>\n";

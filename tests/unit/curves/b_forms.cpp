@@ -199,7 +199,7 @@ TEST(Region, ParallelogramIsTheSectionParallelToTwoEdges) {
   Random random(37);
   const Eigen::Matrix<double, 3, 4> u = random.matrix(3, 4);
   const TensorBezier section = parallelogram_section();
-  const auto at = [&](double s, double t) -> Eigen::Vector3d { return u * section.value(Eigen::Vector2d(s, t)); };
+  const auto at = [&](double s, double t) -> Eigen::Vector3d { return u * section.value(Eigen::VectorXd{{s, t}}); };
   EXPECT_LE((at(1, 1) - (u.col(0) + u.col(1)) / 2).norm(), 1e-15);
   EXPECT_LE((at(0, 0) - (u.col(2) + u.col(3)) / 2).norm(), 1e-15);
   EXPECT_LE((at(1, 0) - (u.col(0) + u.col(3)) / 2).norm(), 1e-15);

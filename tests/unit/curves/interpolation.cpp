@@ -29,7 +29,8 @@ template <class Function>
 Net sampled(int rows, int columns, const Function& f) {
   Net net{rows, columns, false, false, Eigen::MatrixXd(3, rows * columns)};
   for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j) net.points.col(i * columns + j) = f(i / (rows - 1.0), j / (columns - 1.0));
+    for (int j = 0; j < columns; ++j)
+      net.points.col(i * columns + j).head<3>() = f(i / (rows - 1.0), j / (columns - 1.0));
   return net;
 }
 
@@ -92,7 +93,8 @@ TEST(FourPoint, ClosedNetsConvergeWithFourthOrder) {
   for (const int count : {8, 16, 32}) {
     Net net{count, count, true, true, Eigen::MatrixXd(3, count * count)};
     for (int i = 0; i < count; ++i)
-      for (int j = 0; j < count; ++j) net.points.col(i * count + j) = torus(i / double(count), j / double(count));
+      for (int j = 0; j < count; ++j)
+        net.points.col(i * count + j).head<3>() = torus(i / double(count), j / double(count));
     for (int step = 0; step < 3; ++step) net = subdivided(net);
     double worst = 0.0;
     for (int i = 0; i < net.rows; ++i)
@@ -196,6 +198,21 @@ TEST(QuadraticSpline, GoesThroughItsPointsWithAContinuousTangent) {
   EXPECT_LE(off, 1e-14);
   book("curves: quadratic spline", "random points, natural and periodic: jump of place and tangent", jump, 0.0, 1e-13,
        "(4.2), (4.3)");
+}
+
+TEST(QuadraticSpline, IsABSplineOfDegreeTwo) {
+  Random random(56);
+  double worst = 0.0;
+  for (const int count : {2, 3, 8}) {
+    const QuadraticSpline spline = QuadraticSpline::by_chords(random.matrix(3, count));
+    const BSplineCurve curve = b_spline_of(spline);
+    EXPECT_EQ(curve.fault(), "");
+    for (int i = 0; i <= 100; ++i) {
+      const double t = curve.end() * i / 100.0;
+      worst = std::max(worst, (curve.point(t) - spline.point(t)).norm());
+    }
+  }
+  book("curves: quadratic spline", "as B-spline of degree 2: largest distance", worst, 0.0, 1e-14, "itself");
 }
 
 TEST(QuadraticSpline, WrongInputIsRefused) {

@@ -172,7 +172,7 @@ TEST(WCurve, EqualsItsRationalBezierCurve) {
 
 TEST(WCurve, QuarterCircleIsExact) {
   const Eigen::Matrix<double, 2, 3> corner{{1, 1, 0}, {0, 1, 1}};
-  const WCurve arc(SegmentKnots::bezier(2), corner, Eigen::Vector3d(1.0, std::numbers::sqrt2 / 2.0, 1.0));
+  const WCurve arc(SegmentKnots::bezier(2), corner, Eigen::VectorXd{{1.0, std::numbers::sqrt2 / 2.0, 1.0}});
   double worst = 0.0;
   for (int i = 0; i <= 100; ++i) {
     const double t = i / 100.0;
@@ -193,7 +193,8 @@ Eigen::MatrixXd convex_polygon(Random& random, int corners) {
   std::sort(angles.begin(), angles.end());
   const Eigen::Matrix2d shear = random.matrix(2, 2) + 2.0 * Eigen::Matrix2d::Identity();
   Eigen::MatrixXd polygon(2, corners);
-  for (int i = 0; i < corners; ++i) polygon.col(i) = shear * Eigen::Vector2d(std::cos(angles[i]), std::sin(angles[i]));
+  for (int i = 0; i < corners; ++i)
+    polygon.col(i).head<2>() = shear * Eigen::Vector2d(std::cos(angles[i]), std::sin(angles[i]));
   return polygon;
 }
 
@@ -234,8 +235,7 @@ TEST(Convexity, TestTellsConvexFromOthers) {
   EXPECT_EQ(convexity(s_curve), Convexity::not_shown);
   // A pentagram turns one way only, and goes round twice.
   Eigen::MatrixXd star(2, 5);
-  for (int i = 0; i < 5; ++i)
-    star.col(i) = Eigen::Vector2d(std::cos(i * 0.8 * std::numbers::pi), std::sin(i * 0.8 * std::numbers::pi));
+  for (int i = 0; i < 5; ++i) star.col(i) << std::cos(i * 0.8 * std::numbers::pi), std::sin(i * 0.8 * std::numbers::pi);
   EXPECT_FALSE(is_convex(star));
   const Eigen::Matrix<double, 2, 3> back{{0, 2, 1}, {0, 0, 0}};
   EXPECT_FALSE(is_convex(back));
@@ -257,7 +257,7 @@ TEST(WCurve, WrongInputIsRefused) {
   EXPECT_THROW(SegmentKnots::bezier(highest_degree + 1), std::invalid_argument);
   EXPECT_THROW(SegmentKnots({0.0, std::nan("")}, {1.0, 1.0}), std::invalid_argument);
   EXPECT_THROW(WCurve(SegmentKnots::bezier(3), three), std::invalid_argument);
-  EXPECT_THROW(WCurve(SegmentKnots::bezier(2), three, Eigen::Vector3d(1, 0, 1)), std::invalid_argument);
+  EXPECT_THROW(WCurve(SegmentKnots::bezier(2), three, Eigen::VectorXd{{1, 0, 1}}), std::invalid_argument);
   const WCurve curve(SegmentKnots::bezier(2), three);
   EXPECT_THROW(curve.stepped(2, 0.5), std::invalid_argument);
   EXPECT_THROW(curve.bezier(0.5, 0.5), std::invalid_argument);
