@@ -17,6 +17,7 @@
 #include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <type_traits>
 
 namespace snug::mesh::curves {
 

@@ -1,5 +1,6 @@
 #include "mesh/curves/convexity.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

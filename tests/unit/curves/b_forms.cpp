@@ -1,7 +1,11 @@
 // The source's definition 3.5, lemmas 3.2, 3.3, theorems 3.10, 3.11 and propositions 3.1, 3.2 as mended.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "mesh/curves/binomial.hpp"
 #include "mesh/curves/composition.hpp"

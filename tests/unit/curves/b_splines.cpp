@@ -5,6 +5,9 @@
 #include <gsl/gsl_vector.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/unit/curves/random_curves.hpp"
 #include "tests/verification/book.hpp"
 

@@ -1,7 +1,11 @@
 // Curves, surfaces and nets as JSON of ours, DXF, STEP and IGES: out and in again, and what is refused.
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <numbers>
 
 #include "mesh/cad/cad_file.hpp"

@@ -1,7 +1,10 @@
 // Four-point subdivision (3.4) and the piecewise quadratic spline (4.1) to (4.3) of the source, as mended.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "mesh/curves/four_point.hpp"
 #include "mesh/curves/quadratic_spline.hpp"

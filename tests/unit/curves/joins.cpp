@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
 #include "tests/unit/curves/random_curves.hpp"
 #include "tests/verification/book.hpp"
 

@@ -1,6 +1,7 @@
 // Curves and surfaces with random points, weights and admissible knots; the same in every run.
 #pragma once
 
+#include <algorithm>
 #include <random>
 
 #include "mesh/curves/w_curve.hpp"

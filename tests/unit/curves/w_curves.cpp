@@ -3,7 +3,10 @@
 #include <gsl/gsl_vector.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "mesh/curves/convexity.hpp"
 #include "mesh/curves/recurrence.hpp"

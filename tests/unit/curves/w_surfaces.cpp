@@ -1,7 +1,11 @@
 // The source's (3.14) to (3.19) and theorems 3.8, 3.9 as mended. Residuals: 1e-12 where exact, 1e-8 where differenced.
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "mesh/curves/w_curve.hpp"
 #include "mesh/curves/w_surface.hpp"
