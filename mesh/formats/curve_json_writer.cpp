@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "mesh/formats/curve_set.hpp"
@@ -13,7 +14,8 @@ using curves::BSplineCurve;
 using curves::BSplineSurface;
 using curves::Net;
 
-std::string number(double value) { return fmt::format("{}", value); }  // the shortest text that is read back the same
+/// The shortest text that is read back the same; "-0" alone would be read as the whole number 0.
+std::string number(double value) { return value == 0.0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value); }
 
 template <class Values>
 std::string list(const Values& values) {

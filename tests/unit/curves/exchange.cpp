@@ -89,6 +89,12 @@ TEST(CurveJson, IsReadBackToTheLastBit) {
   EXPECT_EQ(back.forms[0].shape.coefficients(), set.forms[0].shape.coefficients());
 }
 
+TEST(CurveJson, NegativeZeroKeepsItsSign) {
+  CurveSet set = random_set(75);
+  set.curves[0].shape.points(0, 0) = -0.0;
+  EXPECT_TRUE(std::signbit(parse_curve_json(curve_json(set), "text").curves[0].shape.points(0, 0)));
+}
+
 TEST(CurveJson, TakesUnitsAndWhatIsLeftOut) {
   const CurveSet set = parse_curve_json(R"({"format": "snug curves", "unit": "1 mm",
     "curves": [{"degree": 2, "points": [[0, 0], [10, 0], [10, 1e1]]}]})",
