@@ -4,9 +4,11 @@
 #include <smumps_c.h>
 
 #include <cstddef>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
+#include "solver/algebra/blas_threads.hpp"
 #include "solver/algebra/communicator.hpp"
 #include "solver/algebra/elimination_order.hpp"
 #include "solver/algebra/preconditioner.hpp"
@@ -175,6 +177,7 @@ class MumpsFactor : public Preconditioner {
   }
 
   bool factor() {
+    const std::unique_ptr<OneBlasThread> alone = low_rank_ ? std::make_unique<OneBlasThread>() : nullptr;
     run(2);
     while (needs_workspace(mumps_.infog[0]) && control(14) < most_workspace) {
       control(14) *= 2;

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstdio>
 #include <optional>
+#include <thread>
 
 #include "cases/input/echo.hpp"
 #include "cases/input/files.hpp"
@@ -135,7 +136,7 @@ class Run : public Command {
  private:
   /// Several cases are run one after the other by this process.
   int chosen_ranks() const {
-    return directories_.size() == 1 && mpirun_is_there() ? solver::usual_ranks(options_.read(directories_.front())) : 1;
+    return directories_.size() == 1 && mpirun_is_there() ? solver::usual_ranks(options_.read(directories_.front()), std::thread::hardware_concurrency(), solver::memory_of_machine()) : 1;
   }
 
   int run_all() {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <thread>
 
 namespace snug::solver {
 
@@ -41,6 +40,7 @@ double body_bytes(const input::BodySpec& body, double around, double along, doub
 
 // docs/growth.md has the times on one rank and on two.
 constexpr double two_ranks_from = 1e5;  // unknowns of the body
+constexpr double memory_of_two = 1.4;   // over that of one rank
 
 }  // namespace
 
@@ -53,11 +53,12 @@ double memory_of_machine() {
   return bytes;
 }
 
-int usual_ranks(const input::Case& description) {
+int usual_ranks(const input::Case& description, unsigned cores, double memory) {
   const bool lattice = description.body && description.body->kind != input::BodyKind::imported;
-  if (!lattice || description.solver.tier != input::Tier::L4 || std::thread::hardware_concurrency() < 2) return 1;
+  if (!lattice || description.solver.tier != input::Tier::L4 || cores < 2) return 1;
   const input::BodySpec& body = *description.body;
-  return body_size(body, body.cells_around, body.cells_along, solid_cells(body)).unknowns >= two_ranks_from ? 2 : 1;
+  const double unknowns = body_size(body, body.cells_around, body.cells_along, solid_cells(body)).unknowns;
+  return unknowns >= two_ranks_from && memory_of_two * memory_of_run(0.0, unknowns) <= 0.5 * memory ? 2 : 1;
 }
 
 void refuse_large_body(const input::Case& description, double limit) {

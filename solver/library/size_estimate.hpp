@@ -9,9 +9,10 @@ namespace snug::solver {
 /// Bytes of the machine, or of the control group that this process is in.
 double memory_of_machine();
 
-/// Processes that solve a case fastest on this machine: two where there are two cores and the factor takes most of the time, since
-/// MUMPS uses them better than a BLAS of two threads does, on blocks of low rank above all.
-int usual_ranks(const input::Case& description);
+/// Processes that solve a case fastest: two where there are `cores` for them and the factor takes most of the time, since MUMPS uses
+/// them better than a BLAS of two threads does, on blocks of low rank above all. They take more memory, though: one where that would
+/// be more than half of `memory` (bytes).
+int usual_ranks(const input::Case& description, unsigned cores, double memory);
 
 /// Hexahedra of a body of stations or of a scan, and what meshing and solving them takes. Throws input::InputError with the
 /// numbers of cells that would fit when it is over `limit` (bytes).

@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "solver/algebra/blas_threads.hpp"
 #include "solver/algebra/communicator.hpp"
 #include "solver/fem/session.hpp"
 #include "solver/scene/run.hpp"
@@ -50,9 +51,7 @@ class Alone {
 
 void share_cores_of_blas(int ranks) {
   if (ranks == 1 || getenv("OPENBLAS_NUM_THREADS")) return;
-  using SetThreads = void (*)(int);
-  if (const auto set = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
-    set(std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks));
+  set_blas_threads(std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / ranks));
 }
 
 }  // namespace

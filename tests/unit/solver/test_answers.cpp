@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/library/size_estimate.hpp"
 #include "solver/stepping/load_path.hpp"
 #include "solver/stepping/newton.hpp"
 #include "solver/stepping/stages.hpp"
@@ -341,6 +342,24 @@ TEST(Numbers, RoundOffIsNoContact) {
   EXPECT_GT(touching(0.0), 0);
   EXPECT_EQ(touching(1e-14), touching(0.0));
   EXPECT_EQ(touching(-1e-14), touching(0.0));
+}
+
+// Two ranks are taken of a body of over 100,000 unknowns that deforms, where there are two cores and memory for both.
+TEST(UsualRanks, FollowSizeCoresAndMemory) {
+  input::Case c = describe_tube(coarse());
+  const auto sized = [&](int around, int along, int through) -> input::Case& {
+    c.body->cells_around = around, c.body->cells_along = along;
+    for (input::LayerSpec& layer : c.body->layers)
+      if (layer.form == input::LayerForm::solid) layer.cells = through;
+    return c;
+  };
+  constexpr double much = 64e9;
+  EXPECT_EQ(solver::usual_ranks(sized(32, 14, 3), 2, much), 1);
+  EXPECT_EQ(solver::usual_ranks(sized(64, 28, 6), 2, much), 2);
+  EXPECT_EQ(solver::usual_ranks(c, 1, much), 1);
+  EXPECT_EQ(solver::usual_ranks(c, 2, 8e9), 1);
+  c.solver.tier = input::Tier::L1;
+  EXPECT_EQ(solver::usual_ranks(c, 2, much), 1);
 }
 
 }  // namespace
