@@ -13,6 +13,12 @@ namespace snug::materials {
 extern const char* const shipped_fabrics;
 extern const char* const shipped_tissues;
 
+/// What ships beyond what a run reads by itself (materials/data/library): entities as TOML, and the files they refer to.
+struct ShippedText {
+  const char *name, *text;
+};
+const std::vector<ShippedText>& shipped_library();
+
 /// Where an entry's numbers come from.
 struct Provenance {
   std::string name;
