@@ -132,6 +132,15 @@ const Datum* Entity::find(const std::string& name) const {
 
 bool Entity::same_content(const Entity& other) const { return kind == other.kind && id == other.id && parent == other.parent && data == other.data; }
 
+bool same_values(const Entity& a, const Entity& b) {
+  const auto sorted = [](std::vector<Datum> data) {
+    for (Datum& datum : data) datum.shipped = false;
+    std::stable_sort(data.begin(), data.end(), [](const Datum& x, const Datum& y) { return x.name < y.name; });
+    return data;
+  };
+  return a.kind == b.kind && a.id == b.id && a.parent == b.parent && sorted(a.data) == sorted(b.data);
+}
+
 std::optional<double> plain_number(const std::string& text) {
   std::string rest = text;
   const std::string digits = take_number(rest);

@@ -25,7 +25,7 @@ constexpr auto texts_of(DatumType) { return std::array{"value", "equation", "tab
 
 /// One property as it was printed or measured. An entity may have several of one name (another source, another type): the first counts.
 struct Datum {
-  std::string name;         ///< of the item: "weight", "LT"
+  std::string name = {};    ///< of the item: "weight", "LT"
   std::string symbol = {};  ///< in equations; empty: the name
   DatumType type = DatumType::value;
   std::string value = {};   ///< digits as printed, text, expression, or hash
@@ -48,6 +48,9 @@ struct Entity {
   const Datum* find(const std::string& name) const;
   bool same_content(const Entity& other) const;
 };
+
+/// The same kind, ID, parent and data, whoever ships them and in whatever order of the items.
+bool same_values(const Entity& a, const Entity& b);
 
 /// The number that a text is, all of it and finite; an optional sign, digits, a decimal point, an exponent.
 std::optional<double> plain_number(const std::string& text);

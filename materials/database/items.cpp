@@ -1,7 +1,5 @@
 #include "materials/database/items.hpp"
 
-#include <algorithm>
-#include <cstring>
 #include <unordered_map>
 
 namespace snug::materials {
@@ -135,16 +133,32 @@ const std::vector<Item>& usual_items() {
   return items;
 }
 
+namespace {
+
+using Index = std::unordered_map<std::string, const Item*>;
+
+const Item* in(const Index& index, const std::string& key) {
+  const auto found = index.find(key);
+  return found == index.end() ? nullptr : found->second;
+}
+
+Index index_by(const char* Item::*key) {
+  Index index;
+  for (const Item& item : usual_items())
+    if (*(item.*key)) index.emplace(item.*key, &item);
+  return index;
+}
+
+}  // namespace
+
 const Item* usual_item(const std::string& name) {
-  static const auto by_name = [] {
-    std::unordered_map<std::string, const Item*> map;
-    for (const Item& item : usual_items()) map.emplace(item.name, &item);
-    for (const Item& item : usual_items())
-      if (*item.symbol) map.emplace(item.symbol, &item);
-    return map;
-  }();
-  const auto found = by_name.find(name);
-  return found == by_name.end() ? nullptr : found->second;
+  static const Index index = index_by(&Item::name);
+  return in(index, name);
+}
+
+const Item* usual_symbol(const std::string& symbol) {
+  static const Index index = index_by(&Item::symbol);
+  return in(index, symbol);
 }
 
 }  // namespace snug::materials

@@ -23,7 +23,8 @@ struct Item {
 };
 
 const std::vector<Item>& usual_items();
-/// By name or symbol, of whatever kind it is; nullptr where it is none of them.
+/// Of whatever kind it is; nullptr where it is none of them.
 const Item* usual_item(const std::string& name);
+const Item* usual_symbol(const std::string& symbol);
 
 }  // namespace snug::materials

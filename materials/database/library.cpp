@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t checked_at_opening = 16 << 20;  // bytes that are read through each time, in some 10 ms; larger files by snug materials check
+constexpr std::int64_t most_bounded = 20'000;  // entities that an index is followed to
 constexpr std::size_t most_named = 40;  // names that a message lists
 
 sql::Connection opened(const fs::path& file) {
@@ -28,7 +30,16 @@ sql::Connection opened(const fs::path& file) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);  // where this fails the opening says so
   sql::Connection connection(file, sql::Connection::Open::or_new);
   sql::bring_up_to_date(connection);
+  std::error_code unknown;
+  const auto size = fs::file_size(file, unknown);
+  if (!unknown && size <= checked_at_opening) sql::check_for_damage(connection);
   return connection;
+}
+
+/// What the user wrote, at the places that a statement has of it.
+void bind_places(const Condition& condition, sql::Statement& statement) {
+  const int count = std::min(statement.places(), static_cast<int>(condition.places.size()));
+  for (int place = 1; place <= count; ++place) std::visit([&](const auto& one) { statement.bind(place, one); }, condition.places[static_cast<std::size_t>(place) - 1]);
 }
 
 /// Data of one name stand together, where the first of them stood.
@@ -137,6 +148,19 @@ struct Library::Rooms {
       entity.data.push_back(std::move(datum));
     }
     return entity;
+  }
+
+  /// Of the bounds of a question the one with the fewest entities, when that is few enough to be worth while.
+  std::string narrowest(const Condition& condition) const {
+    std::int64_t fewest = most_bounded;
+    std::string best;
+    for (const std::string& bound : condition.bounds) {
+      sql::Statement count = connection.prepare("SELECT count(*) FROM (" + bound + " LIMIT " + std::to_string(fewest) + ")");
+      bind_places(condition, count);
+      count.step();
+      if (count.integer(0) < fewest) fewest = count.integer(0), best = bound;
+    }
+    return best;
   }
 
   void write_data(std::int64_t number, const Entity& entity) {
@@ -292,13 +316,11 @@ std::vector<std::string> Library::find_where(const std::string& question, std::o
   while (items.step()) known.push_back(items.text(0));
   const Condition condition = parse_question(question, rooms_->units, [&](const std::string& name) { return rooms_->item(name); }, known);
   const std::string of_kind = kind ? " AND e.kind = ?" + std::to_string(condition.places.size() + 1) : "";
-  sql::Statement found = rooms_->connection.prepare("SELECT e.id FROM entity e WHERE " + condition.sql + of_kind + " ORDER BY e.number");
-  int place = 0;
-  for (const auto& value : condition.places) {
-    ++place;
-    std::visit([&](const auto& one) { found.bind(place, one); }, value);
-  }
-  if (kind) found.bind(place + 1, input::text_of(*kind));
+  const std::string bound = rooms_->narrowest(condition);
+  sql::Statement found = rooms_->connection.prepare("SELECT e.id FROM entity e WHERE " + (bound.empty() ? "" : "e.number IN (" + bound + ") AND ") + "(" + condition.sql + ")" + of_kind +
+                                                    " ORDER BY e.number");
+  bind_places(condition, found);
+  if (kind) found.bind(static_cast<int>(condition.places.size()) + 1, input::text_of(*kind));
   std::vector<std::string> ids;
   while (found.step()) ids.push_back(found.text(0));
   return ids;

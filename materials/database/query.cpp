@@ -61,13 +61,17 @@ class QuestionParser {
   }
   std::string place(std::variant<double, std::string> value) {
     condition_.places.push_back(std::move(value));
-    return "?" + std::to_string(condition_.places.size());
+    return fmt::format("?{}", condition_.places.size());
   }
 
   std::string any() {
     if (++depth_ > deepest) refuse(fmt::format("nested more than {} deep", deepest), "ask for less at once");
+    const std::size_t bounds = condition_.bounds.size();
     std::string sql = all();
-    while (take_word("or")) sql = "(" + sql + " OR " + all() + ")";
+    while (take_word("or")) {
+      sql = "(" + sql + " OR " + all() + ")";
+      condition_.bounds.resize(bounds);
+    }
     --depth_;
     return sql;
   }
@@ -80,7 +84,9 @@ class QuestionParser {
     if (++depth_ > deepest) refuse(fmt::format("nested more than {} deep", deepest), "ask for less at once");
     std::string sql;
     if (take_word("not")) {
+      const std::size_t bounds = condition_.bounds.size();
       sql = "NOT " + part();
+      condition_.bounds.resize(bounds);
     } else if (next() == '(') {
       ++at_;
       sql = any();
@@ -95,7 +101,7 @@ class QuestionParser {
 
   std::string comparison() {
     if (++comparisons_ > most_comparisons) refuse(fmt::format("more than {} comparisons", most_comparisons), "ask for less at once");
-    if (take_word("has")) return "e.number IN (SELECT entity FROM datum WHERE name = " + place(item()) + " AND first = 1)";
+    if (take_word("has")) return "EXISTS (SELECT 1 FROM datum WHERE entity = e.number AND +name = " + place(item()) + ")";
     next();
     const std::size_t begin = at_;
     const std::string name = word("an item");
@@ -113,7 +119,7 @@ class QuestionParser {
   /// The name of an item that is in the library, by its name or symbol.
   std::string known_item(const std::string& name, std::size_t begin) {
     if (unit_of_(name)) return name;
-    const Item* usual = usual_item(name);
+    const Item* usual = usual_symbol(name);
     if (usual && unit_of_(usual->name)) return usual->name;
     at_ = begin;
     refuse("no entity has the item \"" + name + "\"", input::did_you_mean(name, known_));
@@ -125,7 +131,7 @@ class QuestionParser {
     if (first == '"') return quoted();
     const std::size_t begin = at_;
     while (at_ < text_.size() && !is_blank(text_[at_]) && std::string("<>=!~()\"").find(text_[at_]) == std::string::npos) ++at_;
-    if (at_ == begin) refuse(first == '\0' ? "the question ends where " + what + " should stand" : "\"" + std::string(1, first) + "\" where " + what + " should stand",
+    if (at_ == begin) refuse(first == '\0' ? fmt::format("the question ends where {} should stand", what) : fmt::format("\"{}\" where {} should stand", first, what),
                              "write, for instance, weight < 250 g/m2");
     return text_.substr(begin, at_ - begin);
   }
@@ -162,6 +168,11 @@ class QuestionParser {
     return result;
   }
 
+  /// Entities whose first datum of an item is so (`test` begins with its name); looked for by an index where it bounds the answers.
+  std::string with_datum(const std::string& test) {
+    condition_.bounds.push_back("SELECT entity FROM datum WHERE " + test);
+    return "EXISTS (SELECT 1 FROM datum WHERE entity = e.number AND +" + test + ")";  // + : by the entity, not by the index of the item
+  }
   std::string of_entity(const std::string& name, const std::string& sign) {
     if (sign != "=" && sign != "!=" && sign != "~") refuse("the " + name + " is a text", "compare it by =, != or ~");
     const std::string column = name == "parent" ? "(SELECT p.id FROM entity p WHERE p.number = e.parent)" : "e." + name;
@@ -172,7 +183,7 @@ class QuestionParser {
     if (sign != "=" && sign != "!=" && sign != "~") refuse(name + " is a text", "compare it by =, != or ~ (holds the text)");
     const std::string item = place(name), value = operand();
     const std::string test = sign == "~" ? "value LIKE " + place(like_text(value)) + " ESCAPE '\\'" : "value " + sign + " " + place(value);
-    return "e.number IN (SELECT entity FROM datum WHERE name = " + item + " AND first = 1 AND si IS NULL AND " + test + ")";
+    return with_datum("name = " + item + " AND first = 1 AND si IS NULL AND " + test);
   }
   std::string of_number(const std::string& name, const std::string& sign, const std::string& si_unit) {
     next();
@@ -189,7 +200,8 @@ class QuestionParser {
     if (!Dimension(unit->name).same_as(Dimension(si_unit)))
       fail("\"" + text + "\" " + (printed->unit.empty() ? "has no unit" : "is of another dimension") + ", " + name + (si_unit.empty() ? " is a plain number" : " comes in " + si_unit));
     const double value = *plain_number(printed->number) * unit->factor;
-    return "e.number IN (SELECT entity FROM datum WHERE name = " + place(name) + " AND first = 1 AND si IS NOT NULL AND si " + range_of(sign, value) + ")";
+    const std::string item = place(name);
+    return with_datum("name = " + item + " AND first = 1 AND si IS NOT NULL AND si " + range_of(sign, value));
   }
 
   /// 250 g/m2 and 0.25 kg/m2 are the same, whatever the last bit of the conversion says.

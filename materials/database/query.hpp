@@ -20,6 +20,8 @@ namespace snug::materials {
 /// text, without regard to case. An entity without the item answers no comparison, != neither.
 struct Condition {
   std::string sql;
+  /// Selections of entities by an index, each of which holds every answer: the comparisons that are joined by "and" alone.
+  std::vector<std::string> bounds;
   std::vector<std::variant<double, std::string>> places;
 };
 

@@ -91,6 +91,8 @@ Statement& Statement::bind_bytes(int place, std::string_view bytes) {
   return *this;
 }
 
+int Statement::places() const { return sqlite3_bind_parameter_count(statement_.get()); }
+
 bool Statement::step() {
   const int result = sqlite3_step(statement_.get());
   if (result == SQLITE_ROW) return true;

@@ -33,6 +33,8 @@ class Statement {
   /// An empty text as NULL.
   Statement& bind_text_or_null(int place, std::string_view text) { return text.empty() ? bind_null(place) : bind(place, text); }
 
+  /// How many places it has to be bound.
+  int places() const;
   /// The next row; false after the last one, and then the statement can be bound and stepped anew.
   bool step();
   /// Steps to the end.

@@ -112,6 +112,8 @@ class DataReader {
     try {
       LibraryFile file{.hash = {}, .name = std::filesystem::path(name).filename().string(), .content = read_(name, where)};
       file.hash = sha256(file.content);
+      const std::string mark = file.hash.substr(0, 12) + "-";  // of a file that was exported
+      if (file.name.starts_with(mark)) file.name.erase(0, mark.size());
       files_.push_back(file);
       return file.hash;
     } catch (const input::InputError& error) {
@@ -226,6 +228,13 @@ Entity entity_of(Kind kind, const std::string& id, const input::Table& table, co
   }
   check_equations(entity, units, diagnostics);
   return entity;
+}
+
+std::vector<Datum> data_of(const input::Table& table, const FileReader& read, UnitBook& units, std::vector<LibraryFile>& files, input::Diagnostics& diagnostics) {
+  Entity entity;
+  DataReader reader(entity, read, units, files, diagnostics);
+  for (const input::Entry& entry : table.entries) reader.read(entry.key, entry.value);
+  return std::move(entity.data);
 }
 
 Entries entries_of(const input::Table& text, const FileReader& read, UnitBook& units, input::Diagnostics& diagnostics) {

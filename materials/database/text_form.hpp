@@ -42,6 +42,9 @@ Entries entries_of(const input::Table& text, const FileReader& read, UnitBook& u
 Entity entity_of(Kind kind, const std::string& id, const input::Table& table, const FileReader& read, UnitBook& units, std::vector<LibraryFile>& files,
                  input::Diagnostics& diagnostics);
 
+/// Data of such a table alone.
+std::vector<Datum> data_of(const input::Table& table, const FileReader& read, UnitBook& units, std::vector<LibraryFile>& files, input::Diagnostics& diagnostics);
+
 /// An item from a text such as a user writes behind "=": "0.57 mm", "1.00 +- 0.11", "twill".
 Datum datum_of(const std::string& name, const std::string& text, UnitBook& units);
 

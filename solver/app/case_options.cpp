@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "solver/app/library_file.hpp"
+
 namespace snug::app {
 
 void CaseOptions::declare(CLI::App& app) {
@@ -21,6 +23,7 @@ solver::PrepareOptions CaseOptions::preparation() const {
   solver::PrepareOptions options;
   options.reading = {.overrides = overrides, .allow_outside = allow_outside};
   if (!tier.empty()) options.reading.overrides.push_back("solver.tier=" + tier);
+  options.library = library_file();
   options.gmsh.allow_scripts = allow_scripts;
   options.gmsh.limits.seconds = mesh_seconds;
   if (memory > 0.0) options.memory_limit = options.gmsh.limits.memory = 1e9 * memory;

@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "cases/input/suggestion.hpp"
+#include "materials/database/named.hpp"
 #include "materials/database/shipped.hpp"
 #include "materials/fabric/fabric.hpp"
 #include "materials/fabric/inputs.hpp"
 #include "materials/laws/inputs.hpp"
+#include "solver/app/library_commands.hpp"
 
 namespace snug::app {
 
@@ -32,14 +34,26 @@ void append(std::vector<input::KeyRow>& rows, std::vector<input::KeyRow> more) {
 }  // namespace
 
 std::string materials_text() {
-  return fmt::format("fabrics:   {}\ntissues:   {}\nrigid:     \"rigid\" (bone without unknowns)\n",
-                     input::joined(materials::fabric_names()), input::joined(materials::tissue_names()));
+  using materials::Kind;
+  const auto names = [](std::vector<std::string> known, Kind kind) {
+    for (const std::string& name : materials::further_shipped(kind)) known.push_back(name);
+    return input::joined(known);
+  };
+  std::string text = fmt::format("fabrics:   {}\ntissues:   {}\nrigid:     \"rigid\" (bone without unknowns)\n", names(materials::fabric_names(), Kind::fabric),
+                                 names(materials::tissue_names(), Kind::tissue));
+  for (const auto& [kind, head] : {std::pair{Kind::fabric, "own fabrics"}, std::pair{Kind::tissue, "own tissues"}})
+    if (const auto own = own_entities(kind); !own.empty()) text += fmt::format("{}: {}\n", head, input::joined(own));
+  return text;
 }
 
 std::string material_text(const std::string& name) {
   std::vector<std::string> fabrics = materials::fabric_names(), tissues = materials::tissue_names();
-  if (contains(fabrics, name)) return entry_text(name, materials::shipped_fabrics, "fabric");
-  if (contains(tissues, name)) return entry_text(name, materials::shipped_tissues, "tissue");
+  const std::string known = known_data_text(name);
+  if (contains(fabrics, name)) return entry_text(name, materials::shipped_fabrics, "fabric") + "\n" + known;
+  if (contains(tissues, name)) return entry_text(name, materials::shipped_tissues, "tissue") + "\n" + known;
+  if (!known.empty()) return known;
+  for (const materials::Kind kind : {materials::Kind::fabric, materials::Kind::tissue})
+    for (const std::string& one : materials::further_shipped(kind)) fabrics.push_back(one);
   fabrics.insert(fabrics.end(), tissues.begin(), tissues.end());
   throw input::InputError({"snug materials show", 0, 0}, "there is no material \"" + name + "\"",
                           input::did_you_mean(name, fabrics));

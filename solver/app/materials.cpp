@@ -1,4 +1,4 @@
-// snug materials list, snug materials show NAME, snug materials curve NAME
+// snug materials: what ships and a law's curve; the library's own commands stand in library_commands.cpp.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +7,7 @@
 #include "cases/input/suggestion.hpp"
 #include "materials/laws/one_point.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/library_commands.hpp"
 #include "solver/app/material_list.hpp"
 
 namespace snug::app {
@@ -61,13 +62,13 @@ void print_curve(const std::string& name, const Curve& curve) {
 class Materials : public Command {
  public:
   std::string name() const override { return "materials"; }
-  std::string summary() const override { return "the shipped fabrics and tissues: list, show NAME, curve NAME"; }
+  std::string summary() const override { return "fabrics, tissues and the engineering database: what is known, questions, own entries"; }
 
   void declare(CLI::App& app) override {
     app.require_subcommand(1);
-    app.add_subcommand("list", "the names of all entries");
+    app.add_subcommand("list", "the names of all entries that a case may have");
     show_ = app.add_subcommand("show", "values and source of one entry");
-    show_->add_option("NAME", entry_, "fabric or tissue")->required();
+    show_->add_option("NAME", entry_, "fabric, tissue or anything else of the library")->required();
     curve_ = app.add_subcommand("curve", "stress over stretch of a tissue as CSV: one point, no mesh");
     curve_->add_option("NAME", entry_, "tissue")->required();
     std::vector<std::string> modes;
@@ -80,9 +81,17 @@ class Materials : public Command {
     curve_->add_option("--from", options_.from, "first stretch (shear: amount of shear)")->capture_default_str();
     curve_->add_option("--to", options_.to, "last one")->capture_default_str();
     curve_->add_option("--steps", options_.steps, "number of steps")->check(CLI::PositiveNumber)->capture_default_str();
+    for (const auto& command : library_) {
+      CLI::App* sub = app.add_subcommand(command->name(), command->summary());
+      command->declare(*sub);
+      parsers_.push_back(sub);
+    }
+    app.footer("The library is the file that SNUG_LIBRARY names, else snug/library.db in your data folder; it is made when it is first needed. docs/library.md shows it by example.");
   }
 
   int execute() override {
+    for (std::size_t n = 0; n < library_.size(); ++n)
+      if (parsers_[n]->parsed()) return library_[n]->execute();
     if (curve_->parsed()) {
       print_curve(entry_, options_);
       return done;
@@ -93,6 +102,8 @@ class Materials : public Command {
 
  private:
   CLI::App *show_ = nullptr, *curve_ = nullptr;  // owned by the program's parser
+  std::vector<std::unique_ptr<Command>> library_ = library_commands();
+  std::vector<CLI::App*> parsers_;
   std::string entry_;
   Curve options_;
 };

@@ -8,6 +8,7 @@
 #include "mesh/body/import.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
+#include "solver/library/named_materials.hpp"
 #include "solver/library/size_estimate.hpp"
 #include "solver/scene/garment_cells.hpp"
 
@@ -76,6 +77,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   PreparedCase prepared;
   const Stopwatch reading;
   prepared.description = input::read_case(directory, options.reading);
+  resolve_materials(prepared.description, options.library);
   make_model(prepared.description);  // names that are wrong should be said before minutes of meshing
   if (prepared.description.comfort) postproc::load_evidence(*prepared.description.comfort, prepared.description.directory);
   prepared.phases.push_back({"reading", reading.seconds()});
