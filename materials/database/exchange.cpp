@@ -215,7 +215,7 @@ std::string text_of_entries(const std::vector<Entity>& entities, const Library& 
     if (kind.is_null()) kind = Json::object();
     kind.get_ref<Json::object_t&>().push_back({entity.id, to_json(to_table(entity, file_name))});  // IDs are all different: no search
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void write_entries(const std::vector<Entity>& entities, const Library& library, const std::filesystem::path& file) {

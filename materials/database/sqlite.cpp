@@ -20,6 +20,11 @@ constexpr const char* restore = "nothing was changed; put a backup in its place,
   switch (result & 0xff) {
     case SQLITE_CORRUPT:
       throw input::InputError({file, 0, 0}, std::string(damaged) + " (" + reason + ")", restore);
+    case SQLITE_ERROR:  // our statements are right: it is the tables that are not ours
+    case SQLITE_CONSTRAINT:
+    case SQLITE_MISMATCH:
+    case SQLITE_SCHEMA:
+      throw input::InputError({file, 0, 0}, "the tables of the library are not as snug made them (" + reason + ")", restore);
     case SQLITE_NOTADB:
       throw input::InputError({file, 0, 0}, "this is no library of snug, or a damaged one (" + reason + ")", restore);
     case SQLITE_BUSY:
