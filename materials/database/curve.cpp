@@ -25,10 +25,12 @@ std::string trimmed(std::string text) {
 Curve::Column column_of(const std::string& head, const input::Location& where, UnitBook& units) {
   const auto open = head.find('['), close = head.rfind(']');
   Curve::Column column{.name = trimmed(head.substr(0, open)), .unit = {}, .si = {}, .values = {}};
-  if (open != head.npos && close != head.npos && close > open) column.unit = trimmed(head.substr(open + 1, close - open - 1));
+  if (open != head.npos && close != head.npos && close > open)
+    column.unit = trimmed(head.substr(open + 1, close - open - 1));
   const auto si = units.find(column.unit);
   if (!si || column.name.empty())
-    throw input::InputError(where, "the column \"" + trimmed(head) + "\" has no name, or no unit that is one", "write its head as in \"force [gf]\"");
+    throw input::InputError(where, "the column \"" + trimmed(head) + "\" has no name, or no unit that is one",
+                            "write its head as in \"force [gf]\"");
   column.si = *si;
   return column;
 }
@@ -43,7 +45,9 @@ std::pair<std::string, std::string> cells(const std::string& line, const input::
 
 double number(const std::string& cell, const SiUnit& unit, const input::Location& where) {
   const auto value = plain_number(cell);
-  if (!value || !std::isfinite(*value * unit.factor)) throw input::InputError(where, "\"" + cell + "\" is no finite number", "give a number with a decimal point and without a unit");
+  if (!value || !std::isfinite(*value * unit.factor))
+    throw input::InputError(where, "\"" + cell + "\" is no finite number",
+                            "give a number with a decimal point and without a unit");
   return *value * unit.factor;
 }
 
@@ -65,11 +69,14 @@ Curve Curve::parse(const std::string& text, const std::string& file, UnitBook& u
     }
     const double x = number(left, curve.x.si, where), y = number(right, curve.y.si, where);
     if (!curve.x.values.empty() && !(x > curve.x.values.back()))
-      throw input::InputError(where, "the " + curve.x.name + " " + left + " does not increase", "sort the points, and give each place once");
-    if (curve.x.values.size() == most_points) throw input::InputError(where, "more than " + std::to_string(most_points) + " points", "leave some out");
+      throw input::InputError(where, "the " + curve.x.name + " " + left + " does not increase",
+                              "sort the points, and give each place once");
+    if (curve.x.values.size() == most_points)
+      throw input::InputError(where, "more than " + std::to_string(most_points) + " points", "leave some out");
     curve.x.values.push_back(x), curve.y.values.push_back(y);
   }
-  if (curve.x.values.size() < 2) throw input::InputError({file, 0, 0}, "a curve of less than two points", "give a head line and one line a point");
+  if (curve.x.values.size() < 2)
+    throw input::InputError({file, 0, 0}, "a curve of less than two points", "give a head line and one line a point");
   return curve;
 }
 
@@ -78,7 +85,8 @@ double Curve::at(double place) const {
   const auto& py = y.values;
   if (!(place >= px.front() && place <= px.back())) return std::numeric_limits<double>::quiet_NaN();
   if (px.size() == 2) return py[0] + (py[1] - py[0]) * (place - px[0]) / (px[1] - px[0]);
-  const std::unique_ptr<gsl_interp, decltype(&gsl_interp_free)> steffen(gsl_interp_alloc(gsl_interp_steffen, px.size()), &gsl_interp_free);
+  const std::unique_ptr<gsl_interp, decltype(&gsl_interp_free)> steffen(gsl_interp_alloc(gsl_interp_steffen, px.size()),
+                                                                        &gsl_interp_free);
   gsl_interp_init(steffen.get(), px.data(), py.data(), px.size());
   return gsl_interp_eval(steffen.get(), px.data(), py.data(), place, nullptr);
 }

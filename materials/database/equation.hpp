@@ -1,5 +1,5 @@
-// Expressions of symbols: "2*(eps_a/eps)*(eps_f*delta/R_f)". The parser is our own because the dimension of every node is looked at, for which
-// a tree is needed; parsers of the usual libraries (muParser) keep a program of numbers.
+// Expressions of symbols: "2*(eps_a/eps)*(eps_f*delta/R_f)". The parser is our own because the dimension of every node
+// is looked at, for which a tree is needed; parsers of the usual libraries (muParser) keep a program of numbers.
 #pragma once
 
 #include <functional>
@@ -29,8 +29,9 @@ class Dimension {
   std::map<std::string, double> powers_;  // none is zero
 };
 
-/// + - * / ^ ( ), numbers, symbols (letters, digits, _ and ' behind the first), pi, sqrt exp log abs sin cos tan min max. Nothing else can be
-/// said: no assignment, no file, no loop. At most 2,000 characters, 500 numbers and symbols, nested 50 deep.
+/// + - * / ^ ( ), numbers, symbols (letters, digits, _ and ' behind the first), pi, sqrt exp log abs sin cos tan min
+/// max. Nothing else can be said: no assignment, no file, no loop. At most 2,000 characters, 500 numbers and symbols,
+/// nested 50 deep.
 class Equation {
  public:
   /// Throws input::InputError; the column counts within the expression behind that of `where`.
@@ -40,13 +41,31 @@ class Equation {
   std::vector<std::string> symbols() const;
   /// In SI; not a number where a root, a logarithm or a quotient has none. `number_of`: of a symbol.
   double value(const std::function<double(const std::string&)>& number_of) const;
-  /// Throws input::InputError where unlike things are added or compared, where an exponent has a dimension or is no number though its
-  /// base has a dimension, and where a function takes plain numbers only.
+  /// Throws input::InputError where unlike things are added or compared, where an exponent has a dimension or is no
+  /// number though its base has a dimension, and where a function takes plain numbers only.
   Dimension dimension(const std::function<Dimension(const std::string&)>& dimension_of) const;
 
  private:
   friend class EquationParser;
-  enum class Op { number, symbol, negative, add, subtract, multiply, divide, power, sqrt, exp, log, abs, sin, cos, tan, min, max };
+  enum class Op {
+    number,
+    symbol,
+    negative,
+    add,
+    subtract,
+    multiply,
+    divide,
+    power,
+    sqrt,
+    exp,
+    log,
+    abs,
+    sin,
+    cos,
+    tan,
+    min,
+    max
+  };
   struct Node {
     Op op;
     double number = 0.0;

@@ -9,11 +9,13 @@
 
 namespace snug::materials {
 
-/// Parses every equation of the entity, and checks that its symbols are data of the entity, that it comes to the dimension of its unit,
-/// and that it needs itself neither at once nor by others. Then fills `si` of those that need no state variable. Reports at the entity.
+/// Parses every equation of the entity, and checks that its symbols are data of the entity, that it comes to the
+/// dimension of its unit, and that it needs itself neither at once nor by others. Then fills `si` of those that need no
+/// state variable. Reports at the entity.
 void check_equations(Entity& entity, UnitBook& units, input::Diagnostics& diagnostics);
 
-/// Numbers in place of those of the data, and of state variables (data without a value): symbol or name to a quantity as text, "310 K".
+/// Numbers in place of those of the data, and of state variables (data without a value): symbol or name to a quantity
+/// as text, "310 K".
 using Given = std::map<std::string, std::string>;
 
 struct Evaluated {
@@ -23,9 +25,10 @@ struct Evaluated {
   const Datum* datum = nullptr;
 };
 
-/// The item of an entity: its equation when it has one, else its table (at the point that `given` names its first column with), else its
-/// value. `content` gives the file of a table by its hash. Throws input::InputError where the item is not there, where a state variable
-/// is not given, where a given number has another dimension, and where the result is no finite number.
+/// The item of an entity: its equation when it has one, else its table (at the point that `given` names its first
+/// column with), else its value. `content` gives the file of a table by its hash. Throws input::InputError where the
+/// item is not there, where a state variable is not given, where a given number has another dimension, and where the
+/// result is no finite number.
 Evaluated evaluate(const Entity& entity, const std::string& item, const Given& given, UnitBook& units,
                    const std::function<std::string(const std::string& hash)>& content);
 

@@ -17,17 +17,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uintmax_t longest_file = 16 << 20;
-constexpr std::array columns = {"kind", "id", "parent", "item", "type", "value", "unit", "uncertainty", "low", "high", "symbol", "source"};
+constexpr std::array columns = {"kind", "id",          "parent", "item", "type",   "value",
+                                "unit", "uncertainty", "low",    "high", "symbol", "source"};
 constexpr int deepest = 20;
 
 input::Value from_json(const Json& json, const input::Location& where, int depth) {
-  if (depth > deepest) throw input::InputError(where, "JSON nested more than " + std::to_string(deepest) + " deep", "write kind, ID, item and its keys");
+  if (depth > deepest)
+    throw input::InputError(where, "JSON nested more than " + std::to_string(deepest) + " deep",
+                            "write kind, ID, item and its keys");
   input::Value value;
   value.where = where;
   if (json.is_object()) {
     input::Table table;
     table.where = where;
-    for (const auto& [key, inner] : json.items()) table.entries.push_back({key, where, from_json(inner, where, depth + 1)});
+    for (const auto& [key, inner] : json.items())
+      table.entries.push_back({key, where, from_json(inner, where, depth + 1)});
     value.data = std::move(table);
   } else if (json.is_array()) {
     std::vector<input::Value> items;
@@ -65,26 +69,34 @@ input::Table json_table(const std::filesystem::path& file) {
   const input::Location where{file.string(), 0, 0};
   // Brackets are counted before: the parser's own values would be taken down one inside the other.
   int depth = 0, most = 0;
-  for (const char c : text) depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0, most = std::max(most, depth);
-  if (most > 1000) throw input::InputError(where, "JSON nested more than 1000 deep", "write kind, ID, item and its keys");
+  for (const char c : text)
+    depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0, most = std::max(most, depth);
+  if (most > 1000)
+    throw input::InputError(where, "JSON nested more than 1000 deep", "write kind, ID, item and its keys");
   try {
     const input::Value value = from_json(Json::parse(text), where, 0);
     if (value.table()) return *value.table();
   } catch (const Json::exception& error) {
     const std::string what = error.what();
-    throw input::InputError(where, "this is no JSON: " + what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2), "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}");
+    throw input::InputError(where,
+                            "this is no JSON: " + what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2),
+                            "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}");
   }
-  throw input::InputError(where, "this JSON is no table of kinds", "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}");
+  throw input::InputError(where, "this JSON is no table of kinds",
+                          "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}");
 }
 
 /// Rows of a CSV file as entities: each is found by its ID in the order of the file.
 class CsvEntities {
  public:
-  CsvEntities(const input::Csv& csv, Kind kind, UnitBook& units, input::Diagnostics& diagnostics) : csv_(csv), kind_(kind), units_(units), diagnostics_(diagnostics) {}
+  CsvEntities(const input::Csv& csv, Kind kind, UnitBook& units, input::Diagnostics& diagnostics)
+      : csv_(csv), kind_(kind), units_(units), diagnostics_(diagnostics) {}
 
   std::vector<Entity> read() {
     if (csv_.find("id") < 0) {
-      if (!csv_.columns.empty()) diagnostics_.error({csv_.file, csv_.columns.front().where.line, 1}, "the column id is missing", "name the column of the entities' IDs id");
+      if (!csv_.columns.empty())
+        diagnostics_.error({csv_.file, csv_.columns.front().where.line, 1}, "the column id is missing",
+                           "name the column of the entities' IDs id");
       return {};
     }
     const bool by_datum = csv_.find("item") >= 0 && csv_.find("value") >= 0;
@@ -102,12 +114,15 @@ class CsvEntities {
     const int c = csv_.find(column);
     return c < 0 ? std::string() : csv_.rows[row].cells[static_cast<std::size_t>(c)];
   }
-  input::Location place(std::size_t row, const std::string& column) const { return csv_.place(row, static_cast<std::size_t>(std::max(0, csv_.find(column)))); }
+  input::Location place(std::size_t row, const std::string& column) const {
+    return csv_.place(row, static_cast<std::size_t>(std::max(0, csv_.find(column))));
+  }
 
   void check_columns() {
     const std::vector<std::string> known(columns.begin(), columns.end());
     for (const input::Csv::Column& column : csv_.columns)
-      if (std::find(known.begin(), known.end(), column.name) == known.end()) diagnostics_.error(column.where, "unknown column " + column.name, input::did_you_mean(column.name, known));
+      if (std::find(known.begin(), known.end(), column.name) == known.end())
+        diagnostics_.error(column.where, "unknown column " + column.name, input::did_you_mean(column.name, known));
   }
 
   Entity& entity_of_row(std::size_t row) {
@@ -116,7 +131,9 @@ class CsvEntities {
     if (known != by_id_.end()) return entities_[known->second];
     by_id_.emplace(id, entities_.size());
     const auto of_kind = kind.empty() ? kind_ : input::choice_of<Kind>(kind);
-    if (!of_kind) diagnostics_.error(place(row, "kind"), "\"" + kind + "\" is no kind of entity", input::did_you_mean(kind, input::choices_of<Kind>()));
+    if (!of_kind)
+      diagnostics_.error(place(row, "kind"), "\"" + kind + "\" is no kind of entity",
+                         input::did_you_mean(kind, input::choices_of<Kind>()));
     check_id(id, place(row, "id"), diagnostics_);
     entities_.push_back({.kind = of_kind.value_or(kind_), .id = id, .parent = parent, .where = place(row, "id")});
     return entities_.back();
@@ -127,9 +144,18 @@ class CsvEntities {
     if (cell(row, "item").empty()) return;  // an entity without data
     const std::string type = cell(row, "type").empty() ? "value" : cell(row, "type");
     const auto of_type = input::choice_of<DatumType>(type);
-    if (!of_type) return diagnostics_.error(place(row, "type"), "\"" + type + "\" is no type", input::did_you_mean(type, input::choices_of<DatumType>()));
-    entity.data.push_back({.name = cell(row, "item"), .symbol = cell(row, "symbol"), .type = *of_type, .value = cell(row, "value"), .unit = cell(row, "unit"),
-                           .uncertainty = cell(row, "uncertainty"), .low = cell(row, "low"), .high = cell(row, "high"), .source = cell(row, "source")});
+    if (!of_type)
+      return diagnostics_.error(place(row, "type"), "\"" + type + "\" is no type",
+                                input::did_you_mean(type, input::choices_of<DatumType>()));
+    entity.data.push_back({.name = cell(row, "item"),
+                           .symbol = cell(row, "symbol"),
+                           .type = *of_type,
+                           .value = cell(row, "value"),
+                           .unit = cell(row, "unit"),
+                           .uncertainty = cell(row, "uncertainty"),
+                           .low = cell(row, "low"),
+                           .high = cell(row, "high"),
+                           .source = cell(row, "source")});
   }
 
   void read_items(std::size_t row) {
@@ -139,7 +165,9 @@ class CsvEntities {
       const std::string& text = csv_.rows[row].cells[c];
       if (text.empty() || column.name == "id" || column.name == "kind" || column.name == "parent") continue;
       Datum datum = datum_of(column.name, text, units_);
-      if (!column.unit.empty() && !datum.unit.empty()) diagnostics_.error(csv_.place(row, c), column.name + ": a unit in the cell and one in the head", "give it once");
+      if (!column.unit.empty() && !datum.unit.empty())
+        diagnostics_.error(csv_.place(row, c), column.name + ": a unit in the cell and one in the head",
+                           "give it once");
       if (!column.unit.empty()) datum.unit = column.unit;
       entity.data.push_back(std::move(datum));
     }
@@ -173,7 +201,9 @@ std::string csv_text(const std::vector<Entity>& entities) {
     const std::string kind = input::text_of(entity.kind);
     if (entity.data.empty()) add_csv_row({kind, entity.id, entity.parent}, text);
     for (const Datum& one : entity.data)
-      add_csv_row({kind, entity.id, entity.parent, one.name, input::text_of(one.type), one.value, one.unit, one.uncertainty, one.low, one.high, one.symbol, one.source}, text);
+      add_csv_row({kind, entity.id, entity.parent, one.name, input::text_of(one.type), one.value, one.unit,
+                   one.uncertainty, one.low, one.high, one.symbol, one.source},
+                  text);
   }
   return text;
 }
@@ -198,7 +228,8 @@ Entries read_entries(const std::filesystem::path& file, Kind kind, UnitBook& uni
     diagnostics.throw_if_any();
     entries.entities = CsvEntities(csv, kind, units, diagnostics).read();
   } else {
-    throw input::InputError({file.string(), 0, 0}, "the ending \"" + ending + "\" is none of .toml, .json and .csv", "name the file by what it holds");
+    throw input::InputError({file.string(), 0, 0}, "the ending \"" + ending + "\" is none of .toml, .json and .csv",
+                            "name the file by what it holds");
   }
   diagnostics.throw_if_any();
   return entries;
@@ -208,12 +239,16 @@ std::string text_of_entries(const std::vector<Entity>& entities, const Library& 
   const auto file_name = [&](const std::string& hash) { return name_beside(library.file(hash)); };
   if (ending == ".csv") return csv_text(entities);
   if (ending == ".toml") return input::to_toml(to_table(entities, file_name));
-  if (ending != ".json") throw input::InputError({"snug materials export", 0, 0}, "the ending \"" + ending + "\" is none of .toml, .json and .csv", "name the file by what it is to hold");
+  if (ending != ".json")
+    throw input::InputError({"snug materials export", 0, 0},
+                            "the ending \"" + ending + "\" is none of .toml, .json and .csv",
+                            "name the file by what it is to hold");
   Json json = Json::object();
   for (const Entity& entity : entities) {
     Json& kind = json[input::text_of(entity.kind)];
     if (kind.is_null()) kind = Json::object();
-    kind.get_ref<Json::object_t&>().push_back({entity.id, to_json(to_table(entity, file_name))});  // IDs are all different: no search
+    kind.get_ref<Json::object_t&>().push_back(
+        {entity.id, to_json(to_table(entity, file_name))});  // IDs are all different: no search
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

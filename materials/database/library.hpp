@@ -23,14 +23,16 @@ struct Change {
 };
 
 class Library;
+struct Store;  // store.hpp: the file and its statements
 
 /// Changes that are made together or not at all. What it reads is what it will change: nobody writes meanwhile.
 class Stroke {
  public:
   /// Throws input::InputError when there is none, with the nearest.
   Entity entity(const std::string& id) const;
-  /// Adds the entity, or replaces the one of that ID. Throws input::InputError where its parent is not there or of the wrong kind, where an
-  /// item has another dimension than everywhere else, where a name is taken by another kind, and where something that ships would change.
+  /// Adds the entity, or replaces the one of that ID. Throws input::InputError where its parent is not there or of the
+  /// wrong kind, where an item has another dimension than everywhere else, where a name is taken by another kind, and
+  /// where something that ships would change.
   void put(Entity entity, const std::string& action);
   /// Throws input::InputError where it ships or others have it as their parent.
   void remove(const std::string& id);
@@ -48,10 +50,12 @@ class Library {
  public:
   struct Settings {
     std::filesystem::path file;
-    std::string who = "unknown";          ///< for the history
-    std::function<Entries(UnitBook&)> shipped = {};  ///< what the library begins with, read where `edition` is another than the file's
-    std::string edition = {};             ///< of what ships
-    std::function<bool(Kind, const std::string& item)> is_law_key = {};  ///< what a run would read of an entity: not to be added to one that ships
+    std::string who = "unknown";  ///< for the history
+    std::function<Entries(UnitBook&)> shipped =
+        {};                    ///< what the library begins with, read where `edition` is another than the file's
+    std::string edition = {};  ///< of what ships
+    std::function<bool(Kind, const std::string& item)> is_law_key =
+        {};  ///< what a run would read of an entity: not to be added to one that ships
   };
   /// Makes the file, and its folder, where there is none.
   explicit Library(const Settings& settings);
@@ -75,7 +79,8 @@ class Library {
   void change(const std::function<void(Stroke&)>& make);
   /// The newest first; of one entity or of all.
   std::vector<Change> history(const std::string& id = {}, int most = 100) const;
-  /// Takes the last stroke back that has not been taken back; one of somebody else only with `of_anybody`. Returns what it did.
+  /// Takes the last stroke back that has not been taken back; one of somebody else only with `of_anybody`. Returns what
+  /// it did.
   std::string undo(bool of_anybody = false);
 
   /// Whether what ships stands in the file as the text has it; one line for each entity that does not.
@@ -86,9 +91,8 @@ class Library {
 
  private:
   friend class Stroke;
-  struct Rooms;  // the connection and its statements
   void bring_shipped_up_to_date();
-  std::unique_ptr<Rooms> rooms_;
+  std::unique_ptr<Store> store_;
 };
 
 }  // namespace snug::materials

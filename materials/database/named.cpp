@@ -26,13 +26,16 @@ std::string shipped_file(const std::string& name, const input::Location& where) 
 }
 
 /// The same number, as far as both print it.
-bool same_number(const Datum& a, const Datum& b) { return a.name == b.name && a.type == b.type && a.si && b.si && *a.si == *b.si && a.unit == b.unit; }
+bool same_number(const Datum& a, const Datum& b) {
+  return a.name == b.name && a.type == b.type && a.si && b.si && *a.si == *b.si && a.unit == b.unit;
+}
 
 /// What a run reads and what is printed, put together.
 void merge(Entity& run, const Entity& printed) {
   std::vector<Datum> data;
   for (const Datum& datum : run.data) {
-    const auto same = std::find_if(printed.data.begin(), printed.data.end(), [&](const Datum& other) { return same_number(datum, other); });
+    const auto same = std::find_if(printed.data.begin(), printed.data.end(),
+                                   [&](const Datum& other) { return same_number(datum, other); });
     data.push_back(same == printed.data.end() ? datum : *same);
   }
   for (const Datum& datum : printed.data)
@@ -42,7 +45,8 @@ void merge(Entity& run, const Entity& printed) {
 
 void add(const Entries& more, Entries& all) {
   for (const Entity& entity : more.entities) {
-    const auto same = std::find_if(all.entities.begin(), all.entities.end(), [&](const Entity& one) { return one.id == entity.id; });
+    const auto same =
+        std::find_if(all.entities.begin(), all.entities.end(), [&](const Entity& one) { return one.id == entity.id; });
     if (same == all.entities.end())
       all.entities.push_back(entity);
     else
@@ -53,7 +57,8 @@ void add(const Entries& more, Entries& all) {
 
 template <class Form>
 void add_keys(std::vector<std::string>& keys) {
-  for (const input::KeyRow& row : input::keys_of<Form>()) keys.push_back(row.key.substr(0, row.key.find_first_of(".[")));
+  for (const input::KeyRow& row : input::keys_of<Form>())
+    keys.push_back(row.key.substr(0, row.key.find_first_of(".[")));
 }
 
 std::vector<std::string> law_keys_of(Kind kind) {
@@ -82,14 +87,18 @@ std::vector<std::string> keys_of_law(Kind kind, const std::string& law) {
   return keys;
 }
 
-bool contains(const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 /// The table of an entity as the reader of its law wants it.
 input::MaterialEntry as_entry(const Entity& entity, const input::MaterialEntry& asked, UnitBook& units) {
   const Datum* law = entity.find("law");
   if (!law)
-    throw input::InputError(asked.where, "the " + input::text_of(entity.kind) + " \"" + entity.id + "\" of the library has no law",
-                            "say which one reads its numbers, e.g. snug materials edit \"" + entity.id + "\" law=" + (entity.kind == Kind::fabric ? "kes" : "neo-Hooke"));
+    throw input::InputError(asked.where,
+                            "the " + input::text_of(entity.kind) + " \"" + entity.id + "\" of the library has no law",
+                            "say which one reads its numbers, e.g. snug materials edit \"" + entity.id +
+                                "\" law=" + (entity.kind == Kind::fabric ? "kes" : "neo-Hooke"));
   const input::Table all = law_table(entity, units);
   const std::vector<std::string> keys = keys_of_law(entity.kind, law->value);
   input::MaterialEntry entry{.name = {}, .table = {}, .where = asked.where};
@@ -101,17 +110,23 @@ input::MaterialEntry as_entry(const Entity& entity, const input::MaterialEntry& 
   return entry;
 }
 
-input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, const std::filesystem::path& file, std::vector<std::string> known) {
+input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, const std::filesystem::path& file,
+                                  std::vector<std::string> known) {
   std::error_code ignored;
   if (!file.empty() && std::filesystem::exists(file, ignored)) {
     const Library library(library_settings(file, "snug"));
     const auto entity = library.find(asked.name);
     if (entity && entity->kind == kind) return as_entry(*entity, asked, library.units());
-    if (entity) throw input::InputError(asked.where, "\"" + asked.name + "\" of the library is a " + input::text_of(entity->kind) + ", not a " + input::text_of(kind), "name one of that kind (snug materials find \"kind = " + input::text_of(kind) + "\")");
+    if (entity)
+      throw input::InputError(asked.where,
+                              "\"" + asked.name + "\" of the library is a " + input::text_of(entity->kind) +
+                                  ", not a " + input::text_of(kind),
+                              "name one of that kind (snug materials find \"kind = " + input::text_of(kind) + "\")");
     for (const std::string& id : library.ids(kind))
       if (!contains(known, id)) known.push_back(id);
   }
-  throw input::InputError(asked.where, "no " + input::text_of(kind) + " is called \"" + asked.name + "\"", input::did_you_mean(asked.name, known));
+  throw input::InputError(asked.where, "no " + input::text_of(kind) + " is called \"" + asked.name + "\"",
+                          input::did_you_mean(asked.name, known));
 }
 
 }  // namespace
@@ -123,7 +138,9 @@ Entries shipped_entries(UnitBook& units) {
   add(entries_of(section("tissue", shipped_tissues, "tissues.toml"), shipped_file, units, diagnostics), all);
   for (const ShippedText& one : shipped_library())
     if (std::string(one.name).ends_with(".toml"))
-      add(entries_of(input::table_of(one.text, {"materials/data/library/" + std::string(one.name), 1, 1}), shipped_file, units, diagnostics), all);
+      add(entries_of(input::table_of(one.text, {"materials/data/library/" + std::string(one.name), 1, 1}), shipped_file,
+                     units, diagnostics),
+          all);
   diagnostics.throw_if_any();
   return all;
 }

@@ -30,13 +30,17 @@ std::string like_text(const std::string& text) {
 
 class QuestionParser {
  public:
-  QuestionParser(const std::string& text, UnitBook& units, const ItemUnit& unit_of, const std::vector<std::string>& known)
+  QuestionParser(const std::string& text, UnitBook& units, const ItemUnit& unit_of,
+                 const std::vector<std::string>& known)
       : text_(text), units_(units), unit_of_(unit_of), known_(known) {}
 
   Condition parse() {
-    if (text_.size() > longest) refuse(fmt::format("a question of {} characters", text_.size()), fmt::format("at most {} are read", longest));
+    if (text_.size() > longest)
+      refuse(fmt::format("a question of {} characters", text_.size()), fmt::format("at most {} are read", longest));
     condition_.sql = any();
-    if (next() != '\0') refuse("\"" + text_.substr(at_, 20) + "\" where the question should end", "join comparisons by and, or; parentheses go in pairs");
+    if (next() != '\0')
+      refuse("\"" + text_.substr(at_, 20) + "\" where the question should end",
+             "join comparisons by and, or; parentheses go in pairs");
     return std::move(condition_);
   }
 
@@ -51,7 +55,8 @@ class QuestionParser {
   /// A word of the language that stands alone.
   bool is_word(const std::string& word, std::size_t at) const {
     const std::size_t end = at + word.size();
-    return text_.compare(at, word.size(), word) == 0 && (end >= text_.size() || is_blank(text_[end]) || text_[end] == '(' || text_[end] == ')');
+    return text_.compare(at, word.size(), word) == 0 &&
+           (end >= text_.size() || is_blank(text_[end]) || text_[end] == '(' || text_[end] == ')');
   }
   bool take_word(const std::string& word) {
     next();
@@ -100,8 +105,10 @@ class QuestionParser {
   }
 
   std::string comparison() {
-    if (++comparisons_ > most_comparisons) refuse(fmt::format("more than {} comparisons", most_comparisons), "ask for less at once");
-    if (take_word("has")) return "EXISTS (SELECT 1 FROM datum WHERE entity = e.number AND +name = " + place(item()) + ")";
+    if (++comparisons_ > most_comparisons)
+      refuse(fmt::format("more than {} comparisons", most_comparisons), "ask for less at once");
+    if (take_word("has"))
+      return "EXISTS (SELECT 1 FROM datum WHERE entity = e.number AND +name = " + place(item()) + ")";
     next();
     const std::size_t begin = at_;
     const std::string name = word("an item");
@@ -130,9 +137,13 @@ class QuestionParser {
     const char first = next();
     if (first == '"') return quoted();
     const std::size_t begin = at_;
-    while (at_ < text_.size() && !is_blank(text_[at_]) && std::string("<>=!~()\"").find(text_[at_]) == std::string::npos) ++at_;
-    if (at_ == begin) refuse(first == '\0' ? fmt::format("the question ends where {} should stand", what) : fmt::format("\"{}\" where {} should stand", first, what),
-                             "write, for instance, weight < 250 g/m2");
+    while (at_ < text_.size() && !is_blank(text_[at_]) &&
+           std::string("<>=!~()\"").find(text_[at_]) == std::string::npos)
+      ++at_;
+    if (at_ == begin)
+      refuse(first == '\0' ? fmt::format("the question ends where {} should stand", what)
+                           : fmt::format("\"{}\" where {} should stand", first, what),
+             "write, for instance, weight < 250 g/m2");
     return text_.substr(begin, at_ - begin);
   }
   std::string quoted() {
@@ -150,9 +161,11 @@ class QuestionParser {
         if (std::string(sign) == "=" && at_ < text_.size() && text_[at_] == '=') ++at_;
         return sign;
       }
-    refuse("no comparison behind the item", "write < <= > >= = != or ~ (holds the text), names with blanks in \"quotes\"");
+    refuse("no comparison behind the item",
+           "write < <= > >= = != or ~ (holds the text), names with blanks in \"quotes\"");
   }
-  /// What is compared with: a text in quotes, or everything up to "and", "or" or a parenthesis that was not opened in it.
+  /// What is compared with: a text in quotes, or everything up to "and", "or" or a parenthesis that was not opened in
+  /// it.
   std::string operand() {
     if (next() == '"') return quoted();
     const std::size_t begin = at_;
@@ -168,21 +181,26 @@ class QuestionParser {
     return result;
   }
 
-  /// Entities whose first datum of an item is so (`test` begins with its name); looked for by an index where it bounds the answers.
+  /// Entities whose first datum of an item is so (`test` begins with its name); looked for by an index where it bounds
+  /// the answers.
   std::string with_datum(const std::string& test) {
     condition_.bounds.push_back("SELECT entity FROM datum WHERE " + test);
-    return "EXISTS (SELECT 1 FROM datum WHERE entity = e.number AND +" + test + ")";  // + : by the entity, not by the index of the item
+    return "EXISTS (SELECT 1 FROM datum WHERE entity = e.number AND +" + test +
+           ")";  // + : by the entity, not by the index of the item
   }
   std::string of_entity(const std::string& name, const std::string& sign) {
     if (sign != "=" && sign != "!=" && sign != "~") refuse("the " + name + " is a text", "compare it by =, != or ~");
     const std::string column = name == "parent" ? "(SELECT p.id FROM entity p WHERE p.number = e.parent)" : "e." + name;
     const std::string value = operand();
-    return sign == "~" ? column + " LIKE " + place(like_text(value)) + " ESCAPE '\\'" : column + " " + sign + " " + place(value);
+    return sign == "~" ? column + " LIKE " + place(like_text(value)) + " ESCAPE '\\'"
+                       : column + " " + sign + " " + place(value);
   }
   std::string of_text(const std::string& name, const std::string& sign) {
-    if (sign != "=" && sign != "!=" && sign != "~") refuse(name + " is a text", "compare it by =, != or ~ (holds the text)");
+    if (sign != "=" && sign != "!=" && sign != "~")
+      refuse(name + " is a text", "compare it by =, != or ~ (holds the text)");
     const std::string item = place(name), value = operand();
-    const std::string test = sign == "~" ? "value LIKE " + place(like_text(value)) + " ESCAPE '\\'" : "value " + sign + " " + place(value);
+    const std::string test =
+        sign == "~" ? "value LIKE " + place(like_text(value)) + " ESCAPE '\\'" : "value " + sign + " " + place(value);
     return with_datum("name = " + item + " AND first = 1 AND si IS NULL AND " + test);
   }
   std::string of_number(const std::string& name, const std::string& sign, const std::string& si_unit) {
@@ -198,7 +216,8 @@ class QuestionParser {
     if (!printed || !printed->uncertainty.empty()) fail("\"" + text + "\" is no number with a unit");
     const auto unit = units_.find(printed->unit);
     if (!Dimension(unit->name).same_as(Dimension(si_unit)))
-      fail("\"" + text + "\" " + (printed->unit.empty() ? "has no unit" : "is of another dimension") + ", " + name + (si_unit.empty() ? " is a plain number" : " comes in " + si_unit));
+      fail("\"" + text + "\" " + (printed->unit.empty() ? "has no unit" : "is of another dimension") + ", " + name +
+           (si_unit.empty() ? " is a plain number" : " comes in " + si_unit));
     const double value = *plain_number(printed->number) * unit->factor;
     const std::string item = place(name);
     return with_datum("name = " + item + " AND first = 1 AND si IS NOT NULL AND si " + range_of(sign, value));
@@ -225,7 +244,8 @@ class QuestionParser {
 
 }  // namespace
 
-Condition parse_question(const std::string& question, UnitBook& units, const ItemUnit& unit_of, const std::vector<std::string>& known_items) {
+Condition parse_question(const std::string& question, UnitBook& units, const ItemUnit& unit_of,
+                         const std::vector<std::string>& known_items) {
   return QuestionParser(question, units, unit_of, known_items).parse();
 }
 

@@ -62,9 +62,12 @@ bool is_new(const Connection& connection) {
   const int version = version_of(connection);
   if (owner == 0 && version == 0 && connection.integer("SELECT count(*) FROM sqlite_schema") == 0) return true;
   if (owner != application)
-    throw input::InputError({connection.file(), 0, 0}, "this is a database of another program", "name another file in SNUG_LIBRARY");
+    throw input::InputError({connection.file(), 0, 0}, "this is a database of another program",
+                            "name another file in SNUG_LIBRARY");
   if (version > schema_version())
-    throw input::InputError({connection.file(), 0, 0}, "the library was made by a later snug (schema " + std::to_string(version) + ", this one knows up to " + std::to_string(schema_version()) + ")",
+    throw input::InputError({connection.file(), 0, 0},
+                            "the library was made by a later snug (schema " + std::to_string(version) +
+                                ", this one knows up to " + std::to_string(schema_version()) + ")",
                             "take that snug, or another file in SNUG_LIBRARY");
   return false;
 }
@@ -85,7 +88,8 @@ void back_up(const Connection& connection, int version) {
 
 namespace {
 
-/// Readers then see what is committed while another writes. While several processes make the file at once SQLite refuses instead of waiting.
+/// Readers then see what is committed while another writes. While several processes make the file at once SQLite
+/// refuses instead of waiting.
 void use_write_ahead_log(Connection& connection) {
   for (int attempt = 0;; ++attempt) {
     try {
@@ -106,8 +110,9 @@ void check_for_damage(const Connection& connection) {
   Statement check = connection.prepare("PRAGMA quick_check(1)");
   const std::string found = check.step() ? check.text(0) : "no answer";
   if (found != "ok")
-    throw input::InputError({connection.file(), 0, 0}, "the library is damaged (" + found + ")",
-                            "nothing was changed; put a backup in its place, or move it away and import what snug materials export wrote");
+    throw input::InputError(
+        {connection.file(), 0, 0}, "the library is damaged (" + found + ")",
+        "nothing was changed; put a backup in its place, or move it away and import what snug materials export wrote");
 }
 
 void bring_up_to_date(Connection& connection, int upto) {
@@ -122,7 +127,8 @@ void bring_up_to_date(Connection& connection, int upto) {
     back_up(connection, found);
   }
   for (int version = found; version < upto; ++version) connection.execute(steps[static_cast<std::size_t>(version)]);
-  connection.execute("PRAGMA application_id = " + std::to_string(application) + "; PRAGMA user_version = " + std::to_string(upto));
+  connection.execute("PRAGMA application_id = " + std::to_string(application) +
+                     "; PRAGMA user_version = " + std::to_string(upto));
   writing.commit();
 }
 

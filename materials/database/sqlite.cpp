@@ -10,10 +10,11 @@ namespace snug::materials::sql {
 
 namespace {
 
-constexpr int patience = 10'000;          // milliseconds that another process may hold the file
-constexpr int longest_value = 32 << 20;   // bytes of a text or a picture
+constexpr int patience = 10'000;         // milliseconds that another process may hold the file
+constexpr int longest_value = 32 << 20;  // bytes of a text or a picture
 constexpr const char* damaged = "the library is damaged";
-constexpr const char* restore = "nothing was changed; put a backup in its place, or move it away and import what snug materials export wrote";
+constexpr const char* restore =
+    "nothing was changed; put a backup in its place, or move it away and import what snug materials export wrote";
 
 [[noreturn]] void fail(sqlite3* connection, const std::string& file, int result) {
   const std::string reason = connection ? sqlite3_errmsg(connection) : sqlite3_errstr(result);
@@ -24,11 +25,13 @@ constexpr const char* restore = "nothing was changed; put a backup in its place,
     case SQLITE_CONSTRAINT:
     case SQLITE_MISMATCH:
     case SQLITE_SCHEMA:
-      throw input::InputError({file, 0, 0}, "the tables of the library are not as snug made them (" + reason + ")", restore);
+      throw input::InputError({file, 0, 0}, "the tables of the library are not as snug made them (" + reason + ")",
+                              restore);
     case SQLITE_NOTADB:
       throw input::InputError({file, 0, 0}, "this is no library of snug, or a damaged one (" + reason + ")", restore);
     case SQLITE_BUSY:
-      throw input::InputError({file, 0, 0}, "another process has been writing to the library for ten seconds", "wait for it and try again");
+      throw input::InputError({file, 0, 0}, "another process has been writing to the library for ten seconds",
+                              "wait for it and try again");
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
@@ -47,7 +50,8 @@ void check(sqlite3* connection, const std::string& file, int result) {
 }
 
 int open_flags(Connection::Open how) {
-  return SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE | (how == Connection::Open::or_new ? SQLITE_OPEN_CREATE : 0);
+  return SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE |
+         (how == Connection::Open::or_new ? SQLITE_OPEN_CREATE : 0);
 }
 
 /// A pipe or a folder is not handed to SQLite.
@@ -55,7 +59,9 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
   std::error_code fault;
   const auto status = std::filesystem::status(file, fault);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    throw input::InputError({file.string(), 0, 0}, std::filesystem::is_directory(status) ? "this is a directory, not a file" : "this is a pipe or a device, not a file",
+    throw input::InputError({file.string(), 0, 0},
+                            std::filesystem::is_directory(status) ? "this is a directory, not a file"
+                                                                  : "this is a pipe or a device, not a file",
                             "name the file of the library, e.g. SNUG_LIBRARY=" + (file / "library.db").string());
 }
 
@@ -63,7 +69,8 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
-Statement::Statement(sqlite3* connection, const std::string& file, const std::string& text) : file_(file), connection_(connection) {
+Statement::Statement(sqlite3* connection, const std::string& file, const std::string& text)
+    : file_(file), connection_(connection) {
   sqlite3_stmt* statement = nullptr;
   check(sqlite3_prepare_v2(connection, text.data(), static_cast<int>(text.size()), &statement, nullptr));
   statement_.reset(statement);
@@ -72,7 +79,8 @@ Statement::Statement(sqlite3* connection, const std::string& file, const std::st
 void Statement::check(int result) const { sql::check(connection_, file_, result); }
 
 Statement& Statement::bind(int place, std::string_view text) {
-  check(sqlite3_bind_text64(statement_.get(), place, text.data() ? text.data() : "", text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+  check(sqlite3_bind_text64(statement_.get(), place, text.data() ? text.data() : "", text.size(), SQLITE_TRANSIENT,
+                            SQLITE_UTF8));
   return *this;
 }
 
@@ -115,7 +123,9 @@ void Statement::reset() { sqlite3_reset(statement_.get()); }
 
 std::string Statement::text(int column) const {
   const void* bytes = sqlite3_column_blob(statement_.get(), column);  // as it stands, text or bytes
-  return bytes ? std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))) : std::string();
+  return bytes ? std::string(static_cast<const char*>(bytes),
+                             static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)))
+               : std::string();
 }
 
 double Statement::number(int column) const { return sqlite3_column_double(statement_.get(), column); }

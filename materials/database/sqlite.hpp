@@ -1,5 +1,5 @@
-// SQLite as values: a connection, prepared statements, a transaction. The only texts that become SQL are those of our own sources;
-// everything that a user wrote is bound to a place of a prepared statement.
+// SQLite as values: a connection, prepared statements, a transaction. The only texts that become SQL are those of our
+// own sources; everything that a user wrote is bound to a place of a prepared statement.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,9 @@ class Statement {
     return value ? bind(place, *value) : bind_null(place);
   }
   /// An empty text as NULL.
-  Statement& bind_text_or_null(int place, std::string_view text) { return text.empty() ? bind_null(place) : bind(place, text); }
+  Statement& bind_text_or_null(int place, std::string_view text) {
+    return text.empty() ? bind_null(place) : bind(place, text);
+  }
 
   /// How many places it has to be bound.
   int places() const;
@@ -57,8 +59,9 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-/// An open database file, for one thread. Throws input::InputError where the file is damaged, none of SQLite's, not to be written to, or
-/// held by another process for longer than ten seconds; std::runtime_error where the disk is full or fails.
+/// An open database file, for one thread. Throws input::InputError where the file is damaged, none of SQLite's, not to
+/// be written to, or held by another process for longer than ten seconds; std::runtime_error where the disk is full or
+/// fails.
 class Connection {
  public:
   enum class Open { existing, or_new };

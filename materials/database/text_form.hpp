@@ -1,4 +1,5 @@
-// Entities as the tables of a text: [fabric.N88P] of a TOML file, or the same as JSON. What stands there reads back to the same data.
+// Entities as the tables of a text: [fabric.N88P] of a TOML file, or the same as JSON. What stands there reads back to
+// the same data.
 //
 //   [fabric."my knit"]
 //   parent = "007"                                        # an entity one step up
@@ -36,14 +37,16 @@ using FileReader = std::function<std::string(const std::string& name, const inpu
 /// Reads files of a folder, at most 16 MB each, none outside of it.
 FileReader files_of(const std::filesystem::path& folder);
 
-/// Entities of a text whose tables are named kind.id. Reports everything that is wrong with them but what needs the library.
+/// Entities of a text whose tables are named kind.id. Reports everything that is wrong with them but what needs the
+/// library.
 Entries entries_of(const input::Table& text, const FileReader& read, UnitBook& units, input::Diagnostics& diagnostics);
 /// One of them, of a table of its own.
-Entity entity_of(Kind kind, const std::string& id, const input::Table& table, const FileReader& read, UnitBook& units, std::vector<LibraryFile>& files,
-                 input::Diagnostics& diagnostics);
+Entity entity_of(Kind kind, const std::string& id, const input::Table& table, const FileReader& read, UnitBook& units,
+                 std::vector<LibraryFile>& files, input::Diagnostics& diagnostics);
 
 /// Data of such a table alone.
-std::vector<Datum> data_of(const input::Table& table, const FileReader& read, UnitBook& units, std::vector<LibraryFile>& files, input::Diagnostics& diagnostics);
+std::vector<Datum> data_of(const input::Table& table, const FileReader& read, UnitBook& units,
+                           std::vector<LibraryFile>& files, input::Diagnostics& diagnostics);
 
 /// An item from a text such as a user writes behind "=": "0.57 mm", "1.00 +- 0.11", "twill".
 Datum datum_of(const std::string& name, const std::string& text, UnitBook& units);
@@ -51,9 +54,11 @@ Datum datum_of(const std::string& name, const std::string& text, UnitBook& units
 /// The table that reads back to the same entity; `file_name`: what a file of that hash is called there.
 input::Table to_table(const Entity& entity, const std::function<std::string(const std::string& hash)>& file_name);
 /// kind.id for several.
-input::Table to_table(const std::vector<Entity>& entities, const std::function<std::string(const std::string& hash)>& file_name);
+input::Table to_table(const std::vector<Entity>& entities,
+                      const std::function<std::string(const std::string& hash)>& file_name);
 
-/// What the laws of fabrics and tissues read: the first datum of each name, numbers as they were printed, equations as their values.
+/// What the laws of fabrics and tissues read: the first datum of each name, numbers as they were printed, equations as
+/// their values.
 input::Table law_table(const Entity& entity, UnitBook& units);
 
 }  // namespace snug::materials

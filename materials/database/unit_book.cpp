@@ -10,28 +10,35 @@ namespace snug::materials {
 namespace {
 
 // Names of the coherent units that sheets of fabrics, fibres and bodies come to; others are made of base units.
-constexpr std::array names = {"m",       "kg/m2",  "N/m",   "J/m2",   "N/(m rad)", "N m",   "N",      "Pa",        "kg/m3",  "m2",
-                              "kg",      "s",      "K",     "rad",    "1/m",       "kg/m",  "W/(m K)", "W/(m2 K)", "m2/s",   "J/(kg K)",
-                              "J/(m3 K)", "J/kg",  "1/m2",  "m3",     "m/s",       "N s/m2", "kg/s",  "1/s",       "1/K",    "Hz",
-                              "J",       "W",      "W/m2",  "m2 K/W", "N/m3",      "N m/rad", "N m2",  "kg/(m2 s)", "m3/(m2 s)"};
+constexpr std::array names = {"m",       "kg/m2",    "N/m",  "J/m2",     "N/(m rad)", "N m",       "N",        "Pa",
+                              "kg/m3",   "m2",       "kg",   "s",        "K",         "rad",       "1/m",      "kg/m",
+                              "W/(m K)", "W/(m2 K)", "m2/s", "J/(kg K)", "J/(m3 K)",  "J/kg",      "1/m2",     "m3",
+                              "m/s",     "N s/m2",   "kg/s", "1/s",      "1/K",       "Hz",        "J",        "W",
+                              "W/m2",    "m2 K/W",   "N/m3", "N m/rad",  "N m2",      "kg/(m2 s)", "m3/(m2 s)"};
 
-/// The size of a unit in another one of its dimension. To udunits 1/m converts to m, too, as a reciprocal: that is no size.
+/// The size of a unit in another one of its dimension. To udunits 1/m converts to m, too, as a reciprocal: that is no
+/// size.
 bool size_in(const std::string& unit, const std::string& si_unit, double& factor) {
   double ignored = 0.0;
-  return input::unit_factor(unit, si_unit, factor) && !input::unit_factor("(" + unit + ") (" + si_unit + ")", "m/m", ignored);
+  return input::unit_factor(unit, si_unit, factor) &&
+         !input::unit_factor("(" + unit + ") (" + si_unit + ")", "m/m", ignored);
 }
 
 /// "kg m-1 s-3" for what has no name of its own: powers of small size, tried one after the other.
 std::string of_base_units(const std::string& unit) {
-  const auto power = [](const char* base, int exponent) { return exponent == 0 ? std::string() : std::string(base) + std::to_string(exponent) + " "; };
+  const auto power = [](const char* base, int exponent) {
+    return exponent == 0 ? std::string() : std::string(base) + std::to_string(exponent) + " ";
+  };
   double factor = 1.0;
   for (const int kg : {0, 1, -1, 2, -2})
     for (const int kelvin : {0, -1, 1})
       for (const int rad : {0, -1, 1})
         for (int metre = -5; metre <= 5; ++metre)
           for (int second = -5; second <= 5; ++second) {
-            const std::string text = power("kg", kg) + power("m", metre) + power("s", second) + power("K", kelvin) + power("rad", rad);
-            if (!text.empty() && size_in(unit, text.substr(0, text.size() - 1), factor)) return text.substr(0, text.size() - 1);
+            const std::string text =
+                power("kg", kg) + power("m", metre) + power("s", second) + power("K", kelvin) + power("rad", rad);
+            if (!text.empty() && size_in(unit, text.substr(0, text.size() - 1), factor))
+              return text.substr(0, text.size() - 1);
           }
   return {};
 }
@@ -48,9 +55,11 @@ std::optional<SiUnit> look_up(const std::string& unit) {
   if (unit == "%") return SiUnit{.name = {}, .factor = 0.01};
   double factor = 1.0;
   if (!input::unit_factor(unit, unit, factor)) return std::nullopt;  // no unit at all
-  if (input::unit_factor(unit, "rad", factor)) return SiUnit{"rad", factor};  // where an angle is a ratio, a product of two of them is one, too
+  if (input::unit_factor(unit, "rad", factor))
+    return SiUnit{"rad", factor};  // where an angle is a ratio, a product of two of them is one, too
   for (const char* name : names)
-    if (size_in(unit, name, factor)) return is_multiple(unit, name, factor) ? std::optional(SiUnit{name, factor}) : std::nullopt;
+    if (size_in(unit, name, factor))
+      return is_multiple(unit, name, factor) ? std::optional(SiUnit{name, factor}) : std::nullopt;
   if (input::unit_factor(unit, "m/m", factor)) return SiUnit{.name = {}, .factor = factor};
   const std::string name = of_base_units(unit);
   if (name.empty() || !input::unit_factor(unit, name, factor)) return std::nullopt;

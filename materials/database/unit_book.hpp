@@ -15,8 +15,8 @@ struct SiUnit {
 /// Looks units up and remembers them.
 class UnitBook {
  public:
-  /// Nothing for what is no unit, and for a scale with a zero of its own (degC), whose products mean nothing. "", "1" and "%" are plain
-  /// numbers.
+  /// Nothing for what is no unit, and for a scale with a zero of its own (degC), whose products mean nothing. "", "1"
+  /// and "%" are plain numbers.
   std::optional<SiUnit> find(const std::string& unit);
 
  private:

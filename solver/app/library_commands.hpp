@@ -10,14 +10,15 @@
 
 namespace snug::app {
 
-/// find, evaluate, items, add, copy, edit, remove, history, undo, import, export, check: each a command below materials.
+/// find, evaluate, items, add, copy, edit, remove, history, undo, import, export, check: each a command below
+/// materials.
 std::vector<std::unique_ptr<Command>> library_commands();
 
 /// The library of the user, made where it is not there. Throws input::InputError.
 materials::Library open_library();
 
-/// Everything that is known of an entity, a line a datum: as printed, in SI, source. Of the library when it is there (it is not made), else of
-/// what ships. Empty when nobody knows it.
+/// Everything that is known of an entity, a line a datum: as printed, in SI, source. Of the library when it is there
+/// (it is not made), else of what ships. Empty when nobody knows it.
 std::string known_data_text(const std::string& id);
 
 /// IDs of own entities of a kind, with a law or without; none when there is no library.

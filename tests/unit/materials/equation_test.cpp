@@ -16,13 +16,20 @@ using ::testing::ElementsAre, ::testing::HasSubstr;
 const input::Location here{"test", 1, 1};
 
 double value(const std::string& text) {
-  return Equation::parse(text, here).value([](const std::string& symbol) { return symbol == "a" ? 3.0 : symbol == "S'_v" ? 10.0 : 5.0; });
+  return Equation::parse(text, here).value([](const std::string& symbol) {
+    return symbol == "a" ? 3.0 : symbol == "S'_v" ? 10.0 : 5.0;
+  });
 }
 std::string dimension(const std::string& text) {
   try {
     return Equation::parse(text, here)
         .dimension([](const std::string& symbol) {
-          return symbol == "E" ? Dimension("Pa") : symbol == "h" ? Dimension("m") : symbol == "w" ? Dimension("kg/m2") : symbol == "t" ? Dimension("s") : symbol == "phi" ? Dimension("rad") : Dimension();
+          return symbol == "E"     ? Dimension("Pa")
+                 : symbol == "h"   ? Dimension("m")
+                 : symbol == "w"   ? Dimension("kg/m2")
+                 : symbol == "t"   ? Dimension("s")
+                 : symbol == "phi" ? Dimension("rad")
+                                   : Dimension();
         })
         .text();
   } catch (const input::InputError& error) {
@@ -59,7 +66,9 @@ TEST(Equation, PrecedenceIsThatOfSchool) {
 TEST(Equation, DimensionsAreThoseOfTheProducts) {
   UnitBook units;
   const auto same = [&](const std::string& text, const std::string& unit) {
-    const Dimension found = Equation::parse(text, here).dimension([](const std::string& symbol) { return symbol == "E" ? Dimension("Pa") : symbol == "h" ? Dimension("m") : Dimension("kg/m2"); });
+    const Dimension found = Equation::parse(text, here).dimension([](const std::string& symbol) {
+      return symbol == "E" ? Dimension("Pa") : symbol == "h" ? Dimension("m") : Dimension("kg/m2");
+    });
     return found.same_as(Dimension(units.find(unit)->name));
   };
   EXPECT_TRUE(same("E*h", "N/m"));

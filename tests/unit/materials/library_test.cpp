@@ -75,16 +75,20 @@ TEST_F(LibraryStore, ParentsAreOneStepUp) {
   add(library, entity(Kind::yarn, "yarn", "parent = \"cloth\""));
   add(library, entity(Kind::fibre, "cotton", "parent = \"yarn\""));
   EXPECT_THAT(library.children("shirt"), ElementsAre("cloth"));
-  EXPECT_THAT(error_of([&] { add(library, fabric("other", "parent = \"yarn\"")); }), HasSubstr("the parent yarn is a yarn; the parent of a fabric is a garment"));
-  EXPECT_THAT(error_of([&] { add(library, fabric("other", "parent = \"nobody\"")); }), HasSubstr("no entity \"nobody\""));
-  EXPECT_THAT(error_of([&] { library.change([](Stroke& stroke) { stroke.remove("cloth"); }); }), HasSubstr("is the parent of yarn"));
+  EXPECT_THAT(error_of([&] { add(library, fabric("other", "parent = \"yarn\"")); }),
+              HasSubstr("the parent yarn is a yarn; the parent of a fabric is a garment"));
+  EXPECT_THAT(error_of([&] { add(library, fabric("other", "parent = \"nobody\"")); }),
+              HasSubstr("no entity \"nobody\""));
+  EXPECT_THAT(error_of([&] { library.change([](Stroke& stroke) { stroke.remove("cloth"); }); }),
+              HasSubstr("is the parent of yarn"));
   EXPECT_THAT(error_of([&] { add(library, entity(Kind::tissue, "cotton", "")); }), HasSubstr("is the ID of a fibre"));
   EXPECT_EQ(library.count(), 4);
 }
 
 TEST_F(LibraryStore, OneItemHasOneDimensionEverywhere) {
   Library library = open_empty();
-  EXPECT_THAT(error_of([&] { add(library, fabric("a", "weight = \"3 m\"")); }), HasSubstr("weight: \"3 m\" is of another dimension; write it with a unit that converts to kg/m2"));
+  EXPECT_THAT(error_of([&] { add(library, fabric("a", "weight = \"3 m\"")); }),
+              HasSubstr("weight: \"3 m\" is of another dimension; write it with a unit that converts to kg/m2"));
   EXPECT_THAT(error_of([&] { add(library, fabric("a", "WT = \"10\"")); }), HasSubstr("has no unit"));
   EXPECT_THAT(error_of([&] { add(library, fabric("a", "LT = \"high\"")); }), HasSubstr("\"high\" is no number"));
   add(library, fabric("a", "pilling = \"3 1/cm2\""));
@@ -134,14 +138,17 @@ TEST_F(LibraryStore, AStrokeThatFailsChangesNothing) {
 }
 
 TEST_F(LibraryStore, AHundredThousandEntitiesAreWrittenAndAskedFast) {
-  // 20,000 entities a second in one stroke, and a question by an index in 50 ms: time of the processor, so that neighbours do not matter.
+  // 20,000 entities a second in one stroke, and a question by an index in 50 ms: time of the processor, so that
+  // neighbours do not matter.
   Library library = open_empty();
   std::vector<Entity> entities;
   for (int n = 0; n < 100'000; ++n)
-    entities.push_back({.kind = Kind::fabric, .id = "fabric " + std::to_string(n),
-                        .data = {{.name = "weight", .value = std::to_string(100 + n % 400) + "." + std::to_string(n), .unit = "g/m2"},
-                                 {.name = "thickness", .value = "0." + std::to_string(10 + n % 90), .unit = "mm"},
-                                 {.name = "LT", .value = "0.9", .uncertainty = "0.1"}}});
+    entities.push_back(
+        {.kind = Kind::fabric,
+         .id = "fabric " + std::to_string(n),
+         .data = {{.name = "weight", .value = std::to_string(100 + n % 400) + "." + std::to_string(n), .unit = "g/m2"},
+                  {.name = "thickness", .value = "0." + std::to_string(10 + n % 90), .unit = "mm"},
+                  {.name = "LT", .value = "0.9", .uncertainty = "0.1"}}});
   double start = cpu_seconds();
   library.change([&](Stroke& stroke) {
     for (const Entity& one : entities) stroke.put(one, "added");
@@ -184,7 +191,8 @@ TEST_F(LibraryStore, EightProcessesWritingLoseNothing) {
 }
 
 TEST_F(LibraryStore, AKillInTheMiddleOfAWriteLeavesASoundFile) {
-  // Pairs are written in one stroke each; whenever the writer is killed, both of a pair are there or none, and all that was told as done is.
+  // Pairs are written in one stroke each; whenever the writer is killed, both of a pair are there or none, and all that
+  // was told as done is.
   std::mt19937 random(7);
   open_empty();
   for (int round = 0; round < 12; ++round) {
@@ -219,12 +227,14 @@ TEST_F(LibraryStore, AKillInTheMiddleOfAWriteLeavesASoundFile) {
 }
 
 TEST_F(LibraryStore, AnEarlierSchemaIsMigratedWithABackup) {
-  // Schema 1 had no history and no files. What stood in it stands there after the migration, and the copy beside it is as it was.
+  // Schema 1 had no history and no files. What stood in it stands there after the migration, and the copy beside it is
+  // as it was.
   {
     materials::sql::Connection connection(file_, materials::sql::Connection::Open::or_new);
     materials::sql::bring_up_to_date(connection, 1);
-    connection.execute("INSERT INTO item VALUES ('weight', 'kg/m2'); INSERT INTO entity VALUES (1, 'old', 'fabric', NULL, 0);"
-                       "INSERT INTO datum VALUES (1, 0, 'weight', 1, 0, 'value', NULL, '150', 'g/m2', NULL, NULL, NULL, NULL, 0.15)");
+    connection.execute(
+        "INSERT INTO item VALUES ('weight', 'kg/m2'); INSERT INTO entity VALUES (1, 'old', 'fabric', NULL, 0);"
+        "INSERT INTO datum VALUES (1, 0, 'weight', 1, 0, 'value', NULL, '150', 'g/m2', NULL, NULL, NULL, NULL, 0.15)");
   }
   {
     Library library = open_empty();
@@ -275,7 +285,9 @@ TEST_F(LibraryStore, ADamagedFileIsRefusedAndNotTouched) {
     EXPECT_EQ(bytes(), content) << "the file is left as it is";
     return error;
   };
-  EXPECT_THAT(refused("no database at all, a text of some length that is longer than a header of a hundred bytes, so that it is looked at"), HasSubstr("no library of snug, or a damaged one"));
+  EXPECT_THAT(refused("no database at all, a text of some length that is longer than a header of a hundred bytes, so "
+                      "that it is looked at"),
+              HasSubstr("no library of snug, or a damaged one"));
   EXPECT_THAT(refused(whole.substr(0, whole.size() / 2)), HasSubstr("damaged"));
   std::string zeros = whole;
   std::fill(zeros.begin() + 4096, zeros.begin() + 3 * 4096, '\0');
@@ -304,8 +316,11 @@ TEST_F(LibraryStore, SqlInNamesAndValuesIsText) {
   Library library = open_empty();
   const std::string attack = "x\"); DROP TABLE entity; --";
   add(library, fabric("kept", "weight = \"1 g/m2\""));
-  EXPECT_THAT(error_of([&] { add(library, {.kind = Kind::fabric, .id = "x'); DROP TABLE datum;--"}); }), HasSubstr("cannot be a name"));
-  EXPECT_THAT(error_of([&] { add(library, {.kind = Kind::fabric, .id = "ok", .data = {{.name = attack, .value = "1"}}}); }), HasSubstr("cannot be a name"));
+  EXPECT_THAT(error_of([&] { add(library, {.kind = Kind::fabric, .id = "x'); DROP TABLE datum;--"}); }),
+              HasSubstr("cannot be a name"));
+  EXPECT_THAT(
+      error_of([&] { add(library, {.kind = Kind::fabric, .id = "ok", .data = {{.name = attack, .value = "1"}}}); }),
+      HasSubstr("cannot be a name"));
   add(library, {.kind = Kind::fabric, .id = "ok", .parent = {}, .data = {{.name = "note", .value = attack}}});
   EXPECT_EQ(library.entity("ok").find("note")->value, attack);
   EXPECT_THAT(library.find_where("note ~ \"); DROP\""), ElementsAre("ok"));
@@ -332,8 +347,10 @@ TEST_F(LibraryStore, HostileEntitiesAreRefused) {
   EXPECT_THAT(error({.value = "\xff\xfe"}), HasSubstr("no UTF-8"));
   EXPECT_THAT(error({.name = "t", .value = "20", .unit = "degC"}), HasSubstr("no unit"));
   EXPECT_THAT(error({.type = DatumType::equation, .value = std::string(1'000'000, '(')}), HasSubstr("at most 100000"));
-  EXPECT_THAT(error({.type = DatumType::equation, .value = std::string(1'900, '(')}), HasSubstr("nested more than 50 deep"));
-  EXPECT_THAT(error({.type = DatumType::equation, .value = std::string(1'900, '-') + "1"}), HasSubstr("nested more than 50 deep"));
+  EXPECT_THAT(error({.type = DatumType::equation, .value = std::string(1'900, '(')}),
+              HasSubstr("nested more than 50 deep"));
+  EXPECT_THAT(error({.type = DatumType::equation, .value = std::string(1'900, '-') + "1"}),
+              HasSubstr("nested more than 50 deep"));
   EXPECT_THAT(error({.type = DatumType::equation, .value = "item + 1"}), HasSubstr("needs itself"));
   EXPECT_THAT(error({.type = DatumType::equation, .value = "system(1)"}), HasSubstr("no function system"));
   EXPECT_THAT(error_of([&] { add(library, {.kind = Kind::fabric, .id = "rigid"}); }), HasSubstr("word of the cases"));
@@ -342,9 +359,16 @@ TEST_F(LibraryStore, HostileEntitiesAreRefused) {
 
 TEST_F(LibraryStore, EquationsThatNeedEachOtherAreRefused) {
   Library library = open_empty();
-  EXPECT_THAT(error_of([&] { add(library, fabric("a", "x = { equation = \"y + 1\" }\ny = { equation = \"z + 1\" }\nz = { equation = \"x + 1\" }")); }), HasSubstr("one another in a chain"));
+  EXPECT_THAT(
+      error_of([&] {
+        add(library,
+            fabric("a", "x = { equation = \"y + 1\" }\ny = { equation = \"z + 1\" }\nz = { equation = \"x + 1\" }"));
+      }),
+      HasSubstr("one another in a chain"));
   std::string doubling = "x0 = \"1\"\n";  // each needs the one before twice: 2^60 evaluations, were they not kept
-  for (int n = 1; n <= 60; ++n) doubling += "x" + std::to_string(n) + " = { equation = \"x" + std::to_string(n - 1) + " + x" + std::to_string(n - 1) + "\" }\n";
+  for (int n = 1; n <= 60; ++n)
+    doubling += "x" + std::to_string(n) + " = { equation = \"x" + std::to_string(n - 1) + " + x" +
+                std::to_string(n - 1) + "\" }\n";
   add(library, fabric("b", doubling));
   EXPECT_EQ(*library.entity("b").find("x60")->si, std::pow(2.0, 60));
 }
@@ -352,7 +376,8 @@ TEST_F(LibraryStore, EquationsThatNeedEachOtherAreRefused) {
 TEST_F(LibraryStore, FilesAreKeptByTheirContentAndLargeOnesRefused) {
   std::ofstream(folder_ / "curve.csv") << "strain [%],force [N]\n0,0\n1,2\n";
   std::ofstream(folder_ / "photo.png") << "\x89PNG";
-  std::ofstream(folder_ / "a.toml") << "[fabric.a]\n\"tensile curve\" = { table = \"curve.csv\" }\npicture = { figure = \"photo.png\" }\n";
+  std::ofstream(folder_ / "a.toml")
+      << "[fabric.a]\n\"tensile curve\" = { table = \"curve.csv\" }\npicture = { figure = \"photo.png\" }\n";
   Library library = open_empty();
   const auto entries = materials::read_entries(folder_ / "a.toml", Kind::fabric, library.units());
   library.change([&](Stroke& stroke) {
@@ -395,12 +420,14 @@ weft = { LT = "1.1", WT = "3 J/m2" }
     materials::write_entries(all, library, file);
     const auto entries = materials::read_entries(file, Kind::fabric, library.units());
     ASSERT_EQ(entries.entities.size(), all.size()) << ending;
-    for (const Entity& entity : entries.entities) EXPECT_TRUE(materials::same_values(entity, library.entity(entity.id))) << ending << " " << entity.id;
+    for (const Entity& entity : entries.entities)
+      EXPECT_TRUE(materials::same_values(entity, library.entity(entity.id))) << ending << " " << entity.id;
   }
 }
 
 TEST_F(LibraryStore, ATableOfOneRowAnEntityIsRead) {
-  std::ofstream(folder_ / "mill.csv") << "id,weight [g/m2],thickness [mm],LT,composition,fabric type\nA1,180,0.5,0.9,100% cotton,knitted\nA2,\"200 +- 3\",,1.1,,woven\n";
+  std::ofstream(folder_ / "mill.csv") << "id,weight [g/m2],thickness [mm],LT,composition,fabric "
+                                         "type\nA1,180,0.5,0.9,100% cotton,knitted\nA2,\"200 +- 3\",,1.1,,woven\n";
   materials::UnitBook units;
   const auto entries = materials::read_entries(folder_ / "mill.csv", Kind::fabric, units);
   ASSERT_EQ(entries.entities.size(), 2u);
@@ -409,15 +436,18 @@ TEST_F(LibraryStore, ATableOfOneRowAnEntityIsRead) {
   EXPECT_EQ(entries.entities[1].find("weight")->uncertainty, "3");
   EXPECT_EQ(entries.entities[1].find("thickness"), nullptr);
   std::ofstream(folder_ / "bad.csv") << "id,weight [gram]\nA1,a lot\n";
-  EXPECT_THAT(error_of([&] { materials::read_entries(folder_ / "bad.csv", Kind::fabric, units); }), HasSubstr("bad.csv:2:1: error: weight: \"a lot\" is no finite number"));
+  EXPECT_THAT(error_of([&] { materials::read_entries(folder_ / "bad.csv", Kind::fabric, units); }),
+              HasSubstr("bad.csv:2:1: error: weight: \"a lot\" is no finite number"));
 }
 
 TEST(Sha256, KnownDigests) {
   // FIPS 180-4, examples of one block, two blocks and none.
   EXPECT_EQ(materials::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(materials::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"), "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(materials::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
   EXPECT_EQ(materials::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(materials::sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  EXPECT_EQ(materials::sha256(std::string(1'000'000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 }  // namespace

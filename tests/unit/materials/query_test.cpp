@@ -15,8 +15,11 @@ class Question : public LibraryTest {
     LibraryTest::SetUp();
     library_ = std::make_unique<Library>(open_empty());
     add(*library_, entity(Kind::garment, "shirt", "\"commercial name\" = \"Levi's 50% off\""));
-    add(*library_, fabric("light", "weight = \"100 g/m2\"\nEMT = \"40 %\"\ncomposition = \"100% Cotton\"\nparent = \"shirt\""));
-    add(*library_, fabric("middle", "weight = [{ value = \"200 g/m2\" }, { value = \"50 g/m2\" }]\nEMT = \"20 %\"\ncomposition = \"88% polyester & 12% spandex\""));
+    add(*library_,
+        fabric("light", "weight = \"100 g/m2\"\nEMT = \"40 %\"\ncomposition = \"100% Cotton\"\nparent = \"shirt\""));
+    add(*library_, fabric("middle",
+                          "weight = [{ value = \"200 g/m2\" }, { value = \"50 g/m2\" }]\nEMT = \"20 %\"\ncomposition = "
+                          "\"88% polyester & 12% spandex\""));
     add(*library_, fabric("heavy", "weight = \"0.4 kg/m2\"\n\"my own number\" = \"7\""));
   }
   std::vector<std::string> ask(const std::string& question) const { return library_->find_where(question); }
@@ -57,7 +60,8 @@ TEST_F(Question, TextsAndTheEntityItself) {
 }
 
 TEST_F(Question, WhatIsNoQuestionIsRefusedWithItsPlaceAndRemedy) {
-  EXPECT_THAT(refused("wieght < 3 g/m2"), HasSubstr("question:1:1: error: no entity has the item \"wieght\"; did you mean weight?"));
+  EXPECT_THAT(refused("wieght < 3 g/m2"),
+              HasSubstr("question:1:1: error: no entity has the item \"wieght\"; did you mean weight?"));
   EXPECT_THAT(refused("weight < 3"), HasSubstr("question:1:10: error: \"3\" has no unit, weight comes in kg/m2"));
   EXPECT_THAT(refused("weight < 3 m"), HasSubstr("is of another dimension"));
   EXPECT_THAT(refused("weight < light"), HasSubstr("no number with a unit"));

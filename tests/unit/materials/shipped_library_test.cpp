@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "cases/input/csv.hpp"
-#include "materials/database/shipped.hpp"
 #include "materials/database/evaluation.hpp"
+#include "materials/database/shipped.hpp"
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
 #include "tests/unit/materials/library_under_test.hpp"
@@ -21,18 +21,23 @@ class ShippedLibrary : public LibraryTest {
  protected:
   static input::Csv printed(const std::string& table) {
     input::Diagnostics diagnostics;
-    input::Csv csv = input::read_csv(std::filesystem::path(SNUG_SOURCE_DIR) / "tests/data/library" / (table + ".csv"), diagnostics);
+    input::Csv csv =
+        input::read_csv(std::filesystem::path(SNUG_SOURCE_DIR) / "tests/data/library" / (table + ".csv"), diagnostics);
     diagnostics.throw_if_any();
     return csv;
   }
-  static std::string cell(const input::Csv& csv, std::size_t row, const std::string& column) { return csv.rows[row].cells.at(static_cast<std::size_t>(csv.find(column))); }
+  static std::string cell(const input::Csv& csv, std::size_t row, const std::string& column) {
+    return csv.rows[row].cells.at(static_cast<std::size_t>(csv.find(column)));
+  }
   /// The datum of a source, by the digits that were printed.
-  static const Datum* datum(const Entity& entity, const std::string& item, const std::string& digits, const std::string& source) {
+  static const Datum* datum(const Entity& entity, const std::string& item, const std::string& digits,
+                            const std::string& source) {
     for (const Datum& one : entity.data)
       if (one.name == item && one.value == digits && one.source.find(source) != std::string::npos) return &one;
     return nullptr;
   }
-  static void expect_printed(const Entity& entity, const std::string& item, const std::string& digits, double si_per_unit, const std::string& source) {
+  static void expect_printed(const Entity& entity, const std::string& item, const std::string& digits,
+                             double si_per_unit, const std::string& source) {
     const Datum* found = datum(entity, item, digits, source);
     ASSERT_NE(found, nullptr) << entity.id << " " << item << " " << digits << " of " << source;
     ASSERT_TRUE(found->si) << entity.id << " " << item;
@@ -50,36 +55,57 @@ TEST_F(ShippedLibrary, EveryNumberOfTables25And26ComesBackAsPrintedAndInSi) {
     const char *column, *item, *source;
     double si;
   };
-  const std::vector<Column> products = {{"weight_g_per_m2", "weight", "table 2.5", 1e-3}, {"ends_per_cm", "ends", "table 2.5", 100.0}, {"picks_per_cm", "picks", "table 2.5", 100.0},
-                                        {"warp_count_ntex", "warp count", "Ntex", 1.0}, {"weft_count_ntex", "weft count", "Ntex", 1.0},
-                                        {"warp_cover_factor", "warp cover factor", "table 2.5", 1.0}, {"weft_cover_factor", "weft cover factor", "table 2.5", 1.0},
-                                        {"warp_crimp_percent", "warp crimp", "table 2.5", 0.01}, {"weft_crimp_percent", "weft crimp", "table 2.5", 0.01}};
-  const std::vector<Column> fabrics = {{"density_kg_per_m3", "density", "table 2.6", 1.0}, {"EA_kgf_per_m2", "EA", "table 2.6", gravity}, {"EB_kgf_per_m2", "EB", "table 2.6", gravity},
-                                       {"poisson_BA", "poisson_BA", "table 2.6", 1.0}, {"GAB_kgf_per_m2", "GAB", "table 2.6", gravity}, {"thickness_mm", "thickness", "", 1e-3}};
+  const std::vector<Column> products = {{"weight_g_per_m2", "weight", "table 2.5", 1e-3},
+                                        {"ends_per_cm", "ends", "table 2.5", 100.0},
+                                        {"picks_per_cm", "picks", "table 2.5", 100.0},
+                                        {"warp_count_ntex", "warp count", "Ntex", 1.0},
+                                        {"weft_count_ntex", "weft count", "Ntex", 1.0},
+                                        {"warp_cover_factor", "warp cover factor", "table 2.5", 1.0},
+                                        {"weft_cover_factor", "weft cover factor", "table 2.5", 1.0},
+                                        {"warp_crimp_percent", "warp crimp", "table 2.5", 0.01},
+                                        {"weft_crimp_percent", "weft crimp", "table 2.5", 0.01}};
+  const std::vector<Column> fabrics = {
+      {"density_kg_per_m3", "density", "table 2.6", 1.0}, {"EA_kgf_per_m2", "EA", "table 2.6", gravity},
+      {"EB_kgf_per_m2", "EB", "table 2.6", gravity},      {"poisson_BA", "poisson_BA", "table 2.6", 1.0},
+      {"GAB_kgf_per_m2", "GAB", "table 2.6", gravity},    {"thickness_mm", "thickness", "", 1e-3}};
   const Library library = open();
   const input::Csv of_products = printed("table_2_5"), of_fabrics = printed("table_2_6");
   ASSERT_EQ(of_products.rows.size(), 9u);
   for (std::size_t r = 0; r < 9; ++r) {
-    const Entity fabric = library.entity(cell(of_products, r, "fabric_id")), garment = library.entity(cell(of_products, r, "garment_id"));
+    const Entity fabric = library.entity(cell(of_products, r, "fabric_id")),
+                 garment = library.entity(cell(of_products, r, "garment_id"));
     EXPECT_EQ(fabric.parent, garment.id);
     EXPECT_EQ(garment.find("commercial name")->value, cell(of_products, r, "commercial_name"));
     expect_printed(garment, "price", cell(of_products, r, "price_dollar"), 1.0, "$");
-    for (const Column& one : products) expect_printed(fabric, one.item, cell(of_products, r, one.column), one.si, one.source);
+    for (const Column& one : products)
+      expect_printed(fabric, one.item, cell(of_products, r, one.column), one.si, one.source);
     for (const char* text : {"structure", "picture", "composition"})
-      EXPECT_EQ(fabric.find(text)->value, cell(of_products, r, std::string(text) == "structure" ? "structure" : std::string(text) == "picture" ? "fabric_image_id" : "fibre_composition"));
+      EXPECT_EQ(fabric.find(text)->value, cell(of_products, r,
+                                               std::string(text) == "structure" ? "structure"
+                                               : std::string(text) == "picture" ? "fabric_image_id"
+                                                                                : "fibre_composition"));
     ASSERT_EQ(cell(of_fabrics, r, "fabric_id"), fabric.id);
-    for (const Column& one : fabrics) expect_printed(fabric, one.item, cell(of_fabrics, r, one.column), one.si, one.source);
+    for (const Column& one : fabrics)
+      expect_printed(fabric, one.item, cell(of_fabrics, r, one.column), one.si, one.source);
     EXPECT_EQ(fabric.find("warp curve")->value, cell(of_fabrics, r, "warp_curve_id"));
     EXPECT_EQ(fabric.find("weft curve")->value, cell(of_fabrics, r, "weft_curve_id"));
   }
 }
 
 TEST_F(ShippedLibrary, EveryNumberOfTables51To71ComesBackWithItsDeviationAndItsTable) {
-  const std::map<std::string, double> si = {{"1", 1.0}, {"%", 0.01}, {"mm", 1e-3}, {"g/m2", 1e-3}, {"gf/cm", 1e-3 * gravity / 1e-2}, {"gf.cm/cm2", 1e-3 * gravity / 1e-2},
-                                            {"gf.cm2/cm", 1e-3 * gravity * 1e-2}, {"gf.cm/cm", 1e-3 * gravity}, {"gf/cm/degree", 1e-3 * gravity / 1e-2 / degree}};
+  const std::map<std::string, double> si = {{"1", 1.0},
+                                            {"%", 0.01},
+                                            {"mm", 1e-3},
+                                            {"g/m2", 1e-3},
+                                            {"gf/cm", 1e-3 * gravity / 1e-2},
+                                            {"gf.cm/cm2", 1e-3 * gravity / 1e-2},
+                                            {"gf.cm2/cm", 1e-3 * gravity * 1e-2},
+                                            {"gf.cm/cm", 1e-3 * gravity},
+                                            {"gf/cm/degree", 1e-3 * gravity / 1e-2 / degree}};
   const Library library = open();
   int count = 0;
-  for (const auto& [file, source, id, item] : {std::tuple{"table_5_2", "table 5.2", "fabric", "kes_symbol"}, std::tuple{"table_7_1", "table 7.1", "fabric", "symbol"}}) {
+  for (const auto& [file, source, id, item] : {std::tuple{"table_5_2", "table 5.2", "fabric", "kes_symbol"},
+                                               std::tuple{"table_7_1", "table 7.1", "fabric", "symbol"}}) {
     const input::Csv csv = printed(file);
     for (std::size_t r = 0; r < csv.rows.size(); ++r, ++count) {
       const Entity fabric = library.entity(cell(csv, r, id));
@@ -138,10 +164,12 @@ TEST_F(ShippedLibrary, StiffnessOfTheDenimsIsModulusTimesThickness) {
 }
 
 TEST_F(ShippedLibrary, WhatARunReadsStandsInTheLibraryWithTheSameDigits) {
-  // The entity of each fabric and tissue, as the table that its law reads, gives the values of materials/data to the last bit.
+  // The entity of each fabric and tissue, as the table that its law reads, gives the values of materials/data to the
+  // last bit.
   const Library library = open();
   for (const std::string& name : materials::fabric_names()) {
-    const auto entry = input::MaterialEntry{.name = {}, .table = materials::law_table(library.entity(name), library.units())};
+    const auto entry =
+        input::MaterialEntry{.name = {}, .table = materials::law_table(library.entity(name), library.units())};
     const input::Table plain = input::table_of(materials::shipped_fabrics);
     for (const input::Entry& one : plain.table(name)->entries) {
       if (one.key == "assumptions") continue;
@@ -156,7 +184,8 @@ TEST_F(ShippedLibrary, WhatARunReadsStandsInTheLibraryWithTheSameDigits) {
   }
   for (const std::string& name : materials::tissue_names()) {
     const materials::Tissue by_name = materials::find_tissue({.name = name});
-    const materials::Tissue by_values = materials::find_tissue({.name = {}, .table = materials::law_table(library.entity(name), library.units())});
+    const materials::Tissue by_values =
+        materials::find_tissue({.name = {}, .table = materials::law_table(library.entity(name), library.units())});
     EXPECT_EQ(by_name.density, by_values.density);
     EXPECT_EQ(by_name.shear_range, by_values.shear_range) << name;
     EXPECT_EQ(materials::initial_shear_modulus(by_name.law), materials::initial_shear_modulus(by_values.law)) << name;
@@ -174,19 +203,22 @@ TEST_F(ShippedLibrary, QuestionsOfTheSource) {
 }
 
 TEST_F(ShippedLibrary, TheSurfaceVolumeRatioIsAValueAndAnEquation) {
-  // Table 2.8: 1000 /m at first; then 2 (eps_a/eps)(eps_f delta/R_f), delta = (eps_l/eps)^m. By hand, with eps_a = 0.4, eps = 0.8, eps_f = 0.2,
-  // eps_l = 0.2, m = 0.5, R_f = 0.01 mm: delta = 0.5, 2 * 0.5 * 0.2 * 0.5/1e-5 m = 10000 /m.
+  // Table 2.8: 1000 /m at first; then 2 (eps_a/eps)(eps_f delta/R_f), delta = (eps_l/eps)^m. By hand, with eps_a = 0.4,
+  // eps = 0.8, eps_f = 0.2, eps_l = 0.2, m = 0.5, R_f = 0.01 mm: delta = 0.5, 2 * 0.5 * 0.2 * 0.5/1e-5 m = 10000 /m.
   const Library library = open();
   const Entity woven = library.entity("woven fabric of table 2.8");
   const auto no_file = [](const std::string&) { return std::string(); };
   EXPECT_EQ(woven.find("surface volume ratio")->si, 1000.0);
-  materials::Given given = {{"eps_a", "0.4"}, {"eps", "0.8"}, {"eps_f", "20 %"}, {"eps_l", "0.2"}, {"m", "0.5"}, {"R_f", "0.01 mm"}};
+  materials::Given given = {{"eps_a", "0.4"}, {"eps", "0.8"}, {"eps_f", "20 %"},
+                            {"eps_l", "0.2"}, {"m", "0.5"},   {"R_f", "0.01 mm"}};
   EXPECT_NEAR(materials::evaluate(woven, "S'_v", given, library.units(), no_file).si, 10000.0, 1e-8);
   EXPECT_NEAR(materials::evaluate(woven, "delta", given, library.units(), no_file).si, 0.5, 1e-15);
   given.erase("R_f");
-  EXPECT_THAT(error_of([&] { materials::evaluate(woven, "S'_v", given, library.units(), no_file); }), HasSubstr("needs R_f"));
+  EXPECT_THAT(error_of([&] { materials::evaluate(woven, "S'_v", given, library.units(), no_file); }),
+              HasSubstr("needs R_f"));
   given["R_f"] = "3 kg";
-  EXPECT_THAT(error_of([&] { materials::evaluate(woven, "S'_v", given, library.units(), no_file); }), HasSubstr("dimension of fibre radius"));
+  EXPECT_THAT(error_of([&] { materials::evaluate(woven, "S'_v", given, library.units(), no_file); }),
+              HasSubstr("dimension of fibre radius"));
 }
 
 TEST_F(ShippedLibrary, ThePrintedFactorOfTheSurfaceVolumeRatioIsRefused) {
@@ -194,7 +226,8 @@ TEST_F(ShippedLibrary, ThePrintedFactorOfTheSurfaceVolumeRatioIsRefused) {
   Library library = open();
   Entity woven = library.entity("woven fabric of table 2.8");
   woven.id = "mine";
-  woven.data.push_back({.name = "saturated vapour concentration", .symbol = "C_sat", .value = "0.0173", .unit = "kg/m3"});
+  woven.data.push_back(
+      {.name = "saturated vapour concentration", .symbol = "C_sat", .value = "0.0173", .unit = "kg/m3"});
   for (Datum& one : woven.data)
     if (one.name == "surface volume ratio" && one.type == materials::DatumType::equation) one.value += "*C_sat";
   EXPECT_THAT(error_of([&] { add(library, woven); }), HasSubstr("comes to (kg/m3) m^-1, its unit is \"1/m\""));
@@ -211,14 +244,23 @@ TEST_F(ShippedLibrary, TheTensileTestIsAValueAndATable) {
   double last = -1.0;
   for (std::size_t r = 0; r < csv.rows.size(); ++r) {
     const double force = std::stod(cell(csv, r, "force_gf"));
-    EXPECT_NEAR(materials::evaluate(woven, "weft tensile test", {{"elongation", cell(csv, r, "elongation_percent") + " %"}}, library.units(), content).in_unit, force, 1e-9);
+    EXPECT_NEAR(
+        materials::evaluate(woven, "weft tensile test", {{"elongation", cell(csv, r, "elongation_percent") + " %"}},
+                            library.units(), content)
+            .in_unit,
+        force, 1e-9);
   }
   for (double percent = 0.0; percent <= 3.1; percent += 0.01) {
-    const double force = materials::evaluate(woven, "weft tensile test", {{"elongation", std::to_string(percent) + " %"}}, library.units(), content).si;
+    const double force = materials::evaluate(woven, "weft tensile test",
+                                             {{"elongation", std::to_string(percent) + " %"}}, library.units(), content)
+                             .si;
     EXPECT_GE(force, last);
     last = force;
   }
-  EXPECT_THAT(error_of([&] { materials::evaluate(woven, "weft tensile test", {{"elongation", "3.2 %"}}, library.units(), content); }), HasSubstr("outside the points"));
+  EXPECT_THAT(error_of([&] {
+                materials::evaluate(woven, "weft tensile test", {{"elongation", "3.2 %"}}, library.units(), content);
+              }),
+              HasSubstr("outside the points"));
 }
 
 TEST_F(ShippedLibrary, EveryMeasuredSiteOfTheLimbsComesBackWithItsQuartiles) {
@@ -227,10 +269,13 @@ TEST_F(ShippedLibrary, EveryMeasuredSiteOfTheLimbsComesBackWithItsQuartiles) {
   ASSERT_EQ(csv.rows.size(), 8u);
   for (std::size_t r = 0; r < csv.rows.size(); ++r) {
     const Entity site = library.entity(cell(csv, r, "place") + " of 95 persons");
-    for (const auto& [column, item, si] : {std::tuple{"probe_area_mm2", "probe area", 1e-6}, std::tuple{"skin_mm", "skin thickness", 1e-3}, std::tuple{"fat_mm", "fat thickness", 1e-3},
-                                           std::tuple{"muscle_mm", "muscle thickness", 1e-3}, std::tuple{"total_mm", "soft tissue thickness", 1e-3}, std::tuple{"force_max_N", "largest force", 1.0},
-                                           std::tuple{"displacement_mm", "largest displacement", 1e-3}, std::tuple{"stiffness_N_per_mm", "indentation stiffness", 1e3},
-                                           std::tuple{"shear_modulus_kPa", "shear_modulus", 1e3}})
+    for (const auto& [column, item, si] :
+         {std::tuple{"probe_area_mm2", "probe area", 1e-6}, std::tuple{"skin_mm", "skin thickness", 1e-3},
+          std::tuple{"fat_mm", "fat thickness", 1e-3}, std::tuple{"muscle_mm", "muscle thickness", 1e-3},
+          std::tuple{"total_mm", "soft tissue thickness", 1e-3}, std::tuple{"force_max_N", "largest force", 1.0},
+          std::tuple{"displacement_mm", "largest displacement", 1e-3},
+          std::tuple{"stiffness_N_per_mm", "indentation stiffness", 1e3},
+          std::tuple{"shear_modulus_kPa", "shear_modulus", 1e3}})
       expect_printed(site, item, cell(csv, r, column), si, "");
     EXPECT_EQ(site.find("shear_modulus")->low, cell(csv, r, "shear_modulus_q25"));
     EXPECT_EQ(site.find("shear_modulus")->high, cell(csv, r, "shear_modulus_q75"));
@@ -250,7 +295,8 @@ TEST_F(ShippedLibrary, TextAndLibraryAgreeAndADifferenceIsTold) {
 }
 
 TEST_F(ShippedLibrary, WhatShipsIsBroughtUpToDateAndOwnDataStay) {
-  // An edition with another weight and one entity more: the file follows; an own item and an own entity of the new ID stay, the latter renamed.
+  // An edition with another weight and one entity more: the file follows; an own item and an own entity of the new ID
+  // stay, the latter renamed.
   {
     Library library = open();
     add(library, fabric("N100", "weight = \"100 g/m2\""));
@@ -266,7 +312,8 @@ TEST_F(ShippedLibrary, WhatShipsIsBroughtUpToDateAndOwnDataStay) {
     materials::Entries entries = materials::shipped_entries(units);
     for (Datum& one : entries.entities.front().data)
       if (one.name == "weight") one.value = "281.0", one.si.reset();
-    entries.entities.push_back({.kind = Kind::fabric, .id = "N100", .data = {{.name = "weight", .value = "120", .unit = "g/m2"}}});
+    entries.entities.push_back(
+        {.kind = Kind::fabric, .id = "N100", .data = {{.name = "weight", .value = "120", .unit = "g/m2"}}});
     return entries;
   };
   const Library library{later};
