@@ -10,6 +10,7 @@
 #include "cases/input/suggestion.hpp"
 #include "materials/database/curve.hpp"
 #include "materials/database/equation.hpp"
+#include "materials/database/items.hpp"
 
 namespace snug::materials {
 
@@ -34,7 +35,10 @@ std::vector<std::string> known_symbols(const Entity& entity) {
   return known;
 }
 
+/// By the name that the item usually has it, so that messages say J/m2 of a work and not N/m.
 std::string si_unit_of(const Datum& datum, UnitBook& units) {
+  const Item* item = usual_item(datum.name.substr(datum.name.rfind('.') + 1));
+  if (item && std::string(item->unit) != "text") return item->unit;
   const auto unit = units.find(datum.unit);
   return unit ? unit->name : std::string();
 }

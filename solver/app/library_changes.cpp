@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "materials/database/doubts.hpp"
 #include "materials/database/exchange.hpp"
 #include "solver/app/library_command.hpp"
 
@@ -34,6 +35,12 @@ std::vector<Datum> data_of(const std::vector<std::string>& words, const std::str
   return data;
 }
 
+/// Says what does not go together; it is kept all the same.
+void tell_doubts(const Entity& entity) {
+  for (const std::string& doubt : materials::doubts_of(entity))
+    fmt::print(stderr, "warning: {}: {}\n", entity.id, doubt);
+}
+
 class Add : public LibraryCommand {
  public:
   Add() : LibraryCommand("add", "a new entity: add fabric \"my knit\" \"weight=200 g/m2\" LT=0.9 …") {}
@@ -63,6 +70,7 @@ class Add : public LibraryCommand {
       for (const auto& file : files) stroke.keep(file);
       stroke.put(std::move(entity), "added");
     });
+    tell_doubts(library.entity(id_));
     return done;
   }
   std::string kind_, id_, parent_;
@@ -120,6 +128,7 @@ class Edit : public LibraryCommand {
       for (const auto& file : files) stroke.keep(file);
       stroke.put(std::move(entity), "edited");
     });
+    tell_doubts(library.entity(id_));
     return done;
   }
   static void take_away(Entity& entity, const std::string& item) {
@@ -191,6 +200,7 @@ class Import : public LibraryCommand {
         stroke.put(entity, "imported");
       }
     });
+    for (const Entity& entity : entries.entities) tell_doubts(entity);
     fmt::print("{} entities\n", entries.entities.size());
     return done;
   }

@@ -110,13 +110,10 @@ class Evaluate : public LibraryCommand {
                                             [&](const std::string& hash) { return library.file(hash).content; });
     Datum as_si = *result.datum;
     as_si.si = result.si;
-    const bool is_table = as_si.type == DatumType::table;
-    fmt::print("{:.10g}{}{}", is_table ? result.si : result.in_unit,
-               is_table             ? " " + result.si_unit
-               : as_si.unit.empty() ? ""
-                                    : " " + as_si.unit,
-               "");
-    fmt::print("{}\n", is_table || as_si.unit.empty() ? "" : " = " + si_text(as_si, library.units()));
+    const std::string si = as_si.type == DatumType::table ? fmt::format("{:.10g} {}", result.si, result.si_unit)
+                                                          : si_text(as_si, library.units());
+    const std::string own = fmt::format("{:.10g}{}{}", result.in_unit, as_si.unit.empty() ? "" : " ", as_si.unit);
+    fmt::print("{}\n", as_si.type == DatumType::table || own == si ? si : own + " = " + si);
     return done;
   }
   std::string id_, item_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/input/csv.hpp"
+#include "materials/database/doubts.hpp"
 #include "materials/database/evaluation.hpp"
 #include "materials/database/shipped.hpp"
 #include "materials/fabric/fabric.hpp"
@@ -147,6 +148,23 @@ TEST_F(ShippedLibrary, WeightOverThicknessOfTheDenimsIsTheirDensity) {
     const double density = *fabric.find("density")->si;
     EXPECT_NEAR(*fabric.find("weight")->si / *fabric.find("thickness")->si / density, 1.0, 0.006) << id;
   }
+}
+
+TEST_F(ShippedLibrary, NumbersThatDoNotGoTogetherAreDoubted) {
+  // Nothing that ships; then a density a tenth off, a work that is not LT Fm EMT/2 (0.9 * 50 gf/cm * 40 %/2 = 9 gf
+  // cm/cm2), a value outside its range.
+  const Library library = open();
+  for (const std::string& id : library.ids())
+    EXPECT_THAT(materials::doubts_of(library.entity(id)), ElementsAre()) << id;
+  EXPECT_THAT(
+      materials::doubts_of(fabric("a", "weight = \"200 g/m2\"\nthickness = \"0.5 mm\"\ndensity = \"440 kg/m3\"")),
+      ElementsAre(HasSubstr("is 400 kg/m3, the density 440")));
+  const std::string test = "LT = 0.9\nFm = \"50 gf/cm\"\nEMT = \"40 %\"\n";
+  EXPECT_THAT(materials::doubts_of(fabric("a", test + "WT = \"9.2 gf cm/cm2\"")), ElementsAre());
+  EXPECT_THAT(materials::doubts_of(fabric("a", test + "WT = \"10 gf cm/cm2\"")),
+              ElementsAre(HasSubstr("WT is 9.807 J/m2, LT Fm EMT/2 8.826 J/m2")));
+  EXPECT_THAT(materials::doubts_of(fabric("a", "LT = { value = \"1.3\", range = [\"0.8\", \"1.2\"] }")),
+              ElementsAre("LT = 1.3 is outside its range, 0.8 to 1.2"));
 }
 
 TEST_F(ShippedLibrary, StiffnessOfTheDenimsIsModulusTimesThickness) {
