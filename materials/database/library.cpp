@@ -74,6 +74,7 @@ std::int64_t Library::count() const { return store_->connection.integer("SELECT 
 
 std::vector<std::string> Library::find_where(const std::string& question, std::optional<Kind> kind) const {
   std::vector<std::string> known;
+  store_->items.clear();  // others may have changed them
   sql::Statement items = store_->connection.prepare("SELECT name FROM item ORDER BY name LIMIT 2000");
   while (items.step()) known.push_back(items.text(0));
   const Condition condition = parse_question(
@@ -101,6 +102,7 @@ LibraryFile Library::file(const std::string& hash) const {
 
 void Library::change(const std::function<void(Stroke&)>& make) {
   sql::Transaction writing(store_->connection);
+  store_->items.clear();  // others may have changed them
   store_->stroke = store_->connection.integer("SELECT coalesce(max(stroke), 0) + 1 FROM change");
   Stroke stroke(*this);
   try {

@@ -104,6 +104,8 @@ input::MaterialEntry as_entry(const Entity& entity, const input::MaterialEntry& 
   input::MaterialEntry entry{.name = {}, .table = {}, .where = asked.where};
   for (const input::Entry& one : all.entries)
     if (contains(keys, one.key)) entry.table.entries.push_back({one.key, asked.where, one.value});
+  if (!entry.table.find("source"))
+    entry.table.set("source", input::value_without_place("entity \"" + entity.id + "\" of the library"));
   const bool has_both = entity.kind == Kind::fabric && entry.table.find("Fm") && entry.table.find("EMT");
   if (has_both) entry.table.remove("EMT");  // one follows from the other; the force is what the law takes
   entry.table.where = asked.where;

@@ -61,7 +61,7 @@ Store::Store(const Library::Settings& asked)
                                    "unit, uncertainty, low, high, source, si) "
                                    "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14)")),
       item_by_name(connection.prepare("SELECT si_unit FROM item WHERE name = ?1")),
-      add_item(connection.prepare("INSERT OR IGNORE INTO item (name, si_unit) VALUES (?1, ?2)")),
+      set_item(connection.prepare("INSERT OR REPLACE INTO item (name, si_unit) VALUES (?1, ?2)")),
       add_change(connection.prepare(
           "INSERT INTO change (stroke, who, action, entity, before, undoes) VALUES (?1, ?2, ?3, ?4, ?5, ?6)")) {}
 
@@ -75,33 +75,51 @@ std::optional<std::string> Store::item(const std::string& name) {
   return items.emplace(name, unit).first->second;
 }
 
-void Store::check_item(const Datum& datum, const input::Location& where, input::Diagnostics& diagnostics) {
+bool Store::is_held_elsewhere(const std::string& item, const std::string& id) const {
+  sql::Statement holder = connection.prepare(
+      "SELECT 1 FROM datum d JOIN entity e ON e.number = d.entity WHERE d.name = ?1 AND d.first = 1 AND d.si IS NOT "
+      "NULL AND e.id <> ?2 UNION ALL SELECT 1 FROM datum d JOIN entity e ON e.number = d.entity WHERE d.name = ?1 AND "
+      "d.first = 1 AND d.si IS NULL AND e.id <> ?2 LIMIT 1");  // by the two indexes of items
+  return holder.bind(1, item).bind(2, id).step();
+}
+
+void Store::keep_item(const std::string& name, const std::string& unit) {
+  set_item.bind(1, name);
+  if (unit == "text")
+    set_item.bind_null(2).run();
+  else
+    set_item.bind(2, unit).run();
+  items[name] = unit;
+}
+
+void Store::check_item(const Datum& datum, bool is_first, const Entity& entity, input::Diagnostics& diagnostics) {
   if (datum.type == DatumType::table || datum.type == DatumType::figure) return;
   const bool is_text = datum.type == DatumType::value && !datum.si && datum.unit.empty() &&
                        !datum.value.empty();  // nothing: a state variable
   const auto own = units.find(datum.unit);
   if (!own) return;  // reported before
+  const Item* usual = usual_item(datum.name.substr(datum.name.rfind('.') + 1));
+  const std::string mine = usual ? usual->unit : is_text ? "text" : own->name;
   auto expected = item(datum.name);
-  if (!expected) {
-    const Item* usual = usual_item(datum.name.substr(datum.name.rfind('.') + 1));
-    expected = usual ? usual->unit : is_text ? "text" : own->name;
-    if (*expected == "text")
-      add_item.bind(1, datum.name).bind_null(2).run();
-    else
-      add_item.bind(1, datum.name).bind(2, *expected).run();
-    items.emplace(datum.name, *expected);
-  }
-  if (is_text && *expected != "text")
-    diagnostics.error(where, datum.name + ": \"" + datum.value + "\" is no number",
-                      "it is one everywhere else" + (expected->empty() ? ", without a unit" : ", in " + *expected) +
-                          "; name a text otherwise");
-  else if (!is_text && *expected == "text" && !usual_item(datum.name))
-    diagnostics.error(where, datum.name + " is a number here and a text everywhere else", "name it otherwise");
-  else if (!is_text && *expected != "text" && !Dimension(own->name).same_as(Dimension(*expected)))
-    diagnostics.error(where,
+  const auto fits = [&] {
+    if (is_text || *expected == "text") return is_text == (*expected == "text") || (usual && !is_text);
+    return Dimension(own->name).same_as(Dimension(*expected));
+  };
+  if (!expected || (!usual && is_first && !fits() && !is_held_elsewhere(datum.name, entity.id)))
+    keep_item(datum.name, mine), expected = mine;
+  if (fits()) return;
+  const std::string wanted = expected->empty() ? "a plain number" : *expected;
+  if (is_text)
+    diagnostics.error(
+        entity.where, datum.name + ": \"" + datum.value + "\" is no number",
+        "everywhere else it is " + (expected->empty() ? wanted : "one in " + wanted) + "; name a text otherwise");
+  else if (*expected == "text")
+    diagnostics.error(entity.where, datum.name + " is a number here and a text everywhere else", "name it otherwise");
+  else
+    diagnostics.error(entity.where,
                       datum.name + ": \"" + quantity_text(datum) + "\" " +
                           (datum.unit.empty() ? "has no unit" : "is of another dimension"),
-                      "write it with a unit that converts to " + (expected->empty() ? "a plain number" : *expected));
+                      "write it with a unit that converts to " + wanted);
 }
 
 std::optional<Entity> Store::find(const std::string& id) {
@@ -230,7 +248,8 @@ void Store::put(Entity entity, const std::string& action) {
     has_equation = has_equation || datum.type == DatumType::equation;
   }
   diagnostics.throw_if_any();
-  for (const Datum& datum : entity.data) check_item(datum, entity.where, diagnostics);
+  for (std::size_t n = 0; n < entity.data.size(); ++n)
+    check_item(entity.data[n], n == 0 || entity.data[n - 1].name != entity.data[n].name, entity, diagnostics);
   if (has_equation) check_equations(entity, units, diagnostics);
   const auto parent = parent_of(entity, diagnostics);
   const auto before = find(entity.id);

@@ -23,9 +23,9 @@ struct Store {
   Library::Settings settings;
   sql::Connection connection;
   sql::Statement entity_by_id, data_of, number_of, add_entity, set_entity, remove_data, add_datum, item_by_name,
-      add_item, add_change;
+      set_item, add_change;
   UnitBook units;
-  std::map<std::string, std::string> items = {};  // by name: unit, or "text"; they are never changed
+  std::map<std::string, std::string> items = {};  // by name: unit, or "text"; of this stroke or question
   std::int64_t stroke = 0;                        // that is being made
   std::optional<std::int64_t> undoes = {};
   bool shipping = false, undoing = false;  // what ships may change
@@ -39,8 +39,11 @@ struct Store {
   void rename(const Entity& entity, const std::string& id);
 
  private:
-  /// One item has one dimension everywhere: what the usual list says, else what it had at first.
-  void check_item(const Datum& datum, const input::Location& where, input::Diagnostics& diagnostics);
+  /// One item has one dimension everywhere: what the usual list says, else what it had at first and as long as somebody
+  /// has it.
+  void check_item(const Datum& datum, bool is_first, const Entity& entity, input::Diagnostics& diagnostics);
+  bool is_held_elsewhere(const std::string& item, const std::string& id) const;
+  void keep_item(const std::string& name, const std::string& unit);
   void write_data(std::int64_t number, const Entity& entity);
   void note_change(const std::string& action, const std::string& id, const std::optional<Entity>& before);
   /// Row of the parent, after a look at its kind.

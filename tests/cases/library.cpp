@@ -120,6 +120,14 @@ TEST_F(LibraryProgram, QuestionsChangesAndHistory) {
   expect("materials check", 0, "sound, as the texts have it");
 }
 
+TEST_F(LibraryProgram, WithoutANameItIsInTheDataFolder) {
+  ::unsetenv("SNUG_LIBRARY");
+  ::setenv("XDG_DATA_HOME", (folder_ / "data").c_str(), 1);
+  EXPECT_EQ(snug("materials find 'LT > 1'").status, 0);
+  ::unsetenv("XDG_DATA_HOME");
+  EXPECT_TRUE(fs::exists(folder_ / "data/snug/library.db"));
+}
+
 TEST_F(LibraryProgram, EquationsAndTablesAnswerWhenAsked) {
   expect("materials evaluate 001-01 warp", 0, "431.4926 N/m");
   expect("materials evaluate 'woven fabric of table 2.9' E_2 --with 'elongation=1 %'", 0, "78.4532 N/m");  // 80 gf/cm

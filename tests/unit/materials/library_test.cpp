@@ -1,4 +1,5 @@
 // The engineering database as a store: many writers, kills, earlier schemas, damage, hostile input.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -46,6 +47,11 @@ class LibraryStore : public LibraryTest {
   void put_bytes(const std::string& content) const { std::ofstream(file_, std::ios::binary) << content; }
 };
 
+#ifdef NDEBUG
+constexpr bool optimised = true;
+#else
+constexpr bool optimised = false;  // with asserts or sanitizers the times say nothing
+#endif
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 TEST_F(LibraryStore, WhatIsPutInComesOutAndIsThereForTheNext) {
@@ -95,6 +101,18 @@ TEST_F(LibraryStore, OneItemHasOneDimensionEverywhere) {
   EXPECT_THAT(error_of([&] { add(library, fabric("b", "pilling = \"3 1/cm\"")); }), HasSubstr("converts to"));
   add(library, fabric("b", "pilling = \"30000 1/m2\""));
   EXPECT_THAT(library.find_where("pilling = 3 1/cm2"), ElementsAre("a", "b")) << "a new item is at once searchable";
+}
+
+TEST_F(LibraryStore, AnItemThatNobodyHasAnyMoreMayBecomeSomethingElse) {
+  // A slip in the unit of a new item is mended by the one who made it, not when others have the item.
+  Library library = open_empty();
+  add(library, fabric("a", "pilling = \"3 kg\""));
+  add(library, fabric("a", "pilling = \"3 1/cm2\""));
+  EXPECT_THAT(library.find_where("pilling > 2 1/cm2"), ElementsAre("a"));
+  add(library, fabric("b", "pilling = \"4 1/cm2\""));
+  EXPECT_THAT(error_of([&] { add(library, fabric("a", "pilling = \"3 kg\"")); }), HasSubstr("another dimension"));
+  EXPECT_THAT(error_of([&] { add(library, fabric("c", "feel = [{ value = \"3 kg\" }, { value = \"3 m\" }]")); }),
+              HasSubstr("another dimension"));
 }
 
 TEST_F(LibraryStore, EveryChangeHasItsHistoryAndIsUndone) {
@@ -155,16 +173,16 @@ TEST_F(LibraryStore, AHundredThousandEntitiesAreWrittenAndAskedFast) {
   });
   const double writing = cpu_seconds() - start;
   EXPECT_EQ(library.count(), 100'000);
-  EXPECT_LT(writing, 5.0);
+  EXPECT_LT(writing, optimised ? 5.0 : 60.0);
   start = cpu_seconds();
   const auto found = library.find_where("weight < 100.5 g/m2 and thickness > 0.5 mm");
   const double asking = cpu_seconds() - start;
   EXPECT_GT(found.size(), 1u);
   EXPECT_LT(found.size(), 250u);
-  EXPECT_LT(asking, 0.05);
+  EXPECT_LT(asking, optimised ? 0.05 : 1.0);
   start = cpu_seconds();
   EXPECT_TRUE(library.find("fabric 77777"));
-  EXPECT_LT(cpu_seconds() - start, 0.05);
+  EXPECT_LT(cpu_seconds() - start, optimised ? 0.05 : 1.0);
   std::printf("[ measured ] %.0f entities a second, a question %.1f ms\n", 1e5 / writing, 1e3 * asking);
 }
 
@@ -365,10 +383,8 @@ TEST_F(LibraryStore, EquationsThatNeedEachOtherAreRefused) {
             fabric("a", "x = { equation = \"y + 1\" }\ny = { equation = \"z + 1\" }\nz = { equation = \"x + 1\" }"));
       }),
       HasSubstr("one another in a chain"));
-  std::string doubling = "x0 = \"1\"\n";  // each needs the one before twice: 2^60 evaluations, were they not kept
-  for (int n = 1; n <= 60; ++n)
-    doubling += "x" + std::to_string(n) + " = { equation = \"x" + std::to_string(n - 1) + " + x" +
-                std::to_string(n - 1) + "\" }\n";
+  std::string doubling("x0 = \"1\"\n");  // each needs the one before twice: 2^60 evaluations, were they not kept
+  for (int n = 1; n <= 60; ++n) doubling += fmt::format("x{0} = {{ equation = \"x{1} + x{1}\" }}\n", n, n - 1);
   add(library, fabric("b", doubling));
   EXPECT_EQ(*library.entity("b").find("x60")->si, std::pow(2.0, 60));
 }
