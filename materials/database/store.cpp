@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t checked_at_opening = 16 << 20;  // bytes that are read through each time, in some 10 ms
+constexpr std::uintmax_t checked_at_opening = 16 << 20;  // bytes that are read through each time, in some 40 ms
 constexpr std::int64_t most_bounded = 20'000;            // entities that an index is followed to
 
 sql::Connection opened(const fs::path& file) {
