@@ -9,6 +9,7 @@
 #include "cases/input/files.hpp"
 #include "cases/input/suggestion.hpp"
 #include "materials/database/evaluation.hpp"
+#include "materials/database/json_reader.hpp"
 
 namespace snug::materials {
 
@@ -16,36 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t longest_file = 16 << 20;
+constexpr std::uintmax_t longest_file = 64 << 20;
 constexpr std::array columns = {"kind", "id",          "parent", "item", "type",   "value",
                                 "unit", "uncertainty", "low",    "high", "symbol", "source"};
-constexpr int deepest = 20;
-
-input::Value from_json(const Json& json, const input::Location& where, int depth) {
-  if (depth > deepest)
-    throw input::InputError(where, "JSON nested more than " + std::to_string(deepest) + " deep",
-                            "write kind, ID, item and its keys");
-  input::Value value;
-  value.where = where;
-  if (json.is_object()) {
-    input::Table table;
-    table.where = where;
-    for (const auto& [key, inner] : json.items())
-      table.entries.push_back({key, where, from_json(inner, where, depth + 1)});
-    value.data = std::move(table);
-  } else if (json.is_array()) {
-    std::vector<input::Value> items;
-    for (const Json& inner : json) items.push_back(from_json(inner, where, depth + 1));
-    value.data = std::move(items);
-  } else if (json.is_string()) {
-    value.data = json.get<std::string>();
-  } else if (json.is_number()) {
-    value.data = json.get<double>();
-  } else if (json.is_boolean()) {
-    value.data = json.get<bool>();
-  }
-  return value;
-}
 
 Json to_json(const input::Table& table);
 
@@ -65,25 +39,7 @@ Json to_json(const input::Table& table) {
 }
 
 input::Table json_table(const std::filesystem::path& file) {
-  const std::string text = input::read_file(file, {.most = longest_file});
-  const input::Location where{file.string(), 0, 0};
-  // Brackets are counted before: the parser's own values would be taken down one inside the other.
-  int depth = 0, most = 0;
-  for (const char c : text)
-    depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0, most = std::max(most, depth);
-  if (most > 1000)
-    throw input::InputError(where, "JSON nested more than 1000 deep", "write kind, ID, item and its keys");
-  try {
-    const input::Value value = from_json(Json::parse(text), where, 0);
-    if (value.table()) return *value.table();
-  } catch (const Json::exception& error) {
-    const std::string what = error.what();
-    throw input::InputError(where,
-                            "this is no JSON: " + what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2),
-                            "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}");
-  }
-  throw input::InputError(where, "this JSON is no table of kinds",
-                          "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}");
+  return table_of_json(input::read_file(file, {.most = longest_file}), {file.string(), 0, 0});
 }
 
 /// Rows of a CSV file as entities: each is found by its ID in the order of the file.
@@ -128,7 +84,12 @@ class CsvEntities {
   Entity& entity_of_row(std::size_t row) {
     const std::string id = cell(row, "id"), kind = cell(row, "kind"), parent = cell(row, "parent");
     const auto known = by_id_.find(id);
-    if (known != by_id_.end()) return entities_[known->second];
+    if (known != by_id_.end()) {
+      const Entity& before = entities_[known->second];
+      if (parent != before.parent || (!kind.empty() && kind != input::text_of(before.kind)))
+        diagnostics_.error(place(row, "id"), id + " has another kind or parent above", "give one to all its rows");
+      return entities_[known->second];
+    }
     by_id_.emplace(id, entities_.size());
     const auto of_kind = kind.empty() ? kind_ : input::choice_of<Kind>(kind);
     if (!of_kind)

@@ -12,7 +12,7 @@ namespace snug::materials {
 /// Entities of a .toml, .json or .csv file. A CSV file has either a row a datum, as it is written,
 ///   kind,id,parent,item,type,value,unit,uncertainty,low,high,symbol,source
 /// or a row an entity: id, kind (else `kind` of the call), parent, and one column an item, with its unit in the head:
-/// "weight [g/m2]". At most 256 MB (JSON 16 MB, TOML 256 kB, which is what its parser takes). Throws input::InputError
+/// "weight [g/m2]". At most 256 MB (JSON 64 MB, TOML 256 kB, which is what its parser takes). Throws input::InputError
 /// with all that is wrong.
 Entries read_entries(const std::filesystem::path& file, Kind kind, UnitBook& units);
 

@@ -241,6 +241,9 @@ TEST_F(LibraryStore, ATableOfOneRowAnEntityIsRead) {
   EXPECT_EQ(entries.entities[0].find("composition")->value, "100% cotton");
   EXPECT_EQ(entries.entities[1].find("weight")->uncertainty, "3");
   EXPECT_EQ(entries.entities[1].find("thickness"), nullptr);
+  std::ofstream(folder_ / "two.csv") << "id,parent,item,value\na,x,weight,1 g/m2\na,y,LT,1\n";
+  EXPECT_THAT(error_of([&] { materials::read_entries(folder_ / "two.csv", Kind::fabric, units); }),
+              HasSubstr("two.csv:3:1: error: a has another kind or parent above"));
   std::ofstream(folder_ / "bad.csv") << "id,weight [gram]\nA1,a lot\n";
   EXPECT_THAT(error_of([&] { materials::read_entries(folder_ / "bad.csv", Kind::fabric, units); }),
               HasSubstr("bad.csv:2:1: error: weight: \"a lot\" is no finite number"));
