@@ -13,7 +13,8 @@ namespace snug::materials {
 extern const char* const shipped_fabrics;
 extern const char* const shipped_tissues;
 
-/// What ships beyond what a run reads by itself (materials/data/library): entities as TOML, and the files they refer to.
+/// What ships beyond what a run reads by itself (materials/data/library): entities as TOML, and the files they refer
+/// to.
 struct ShippedText {
   const char *name, *text;
 };

@@ -39,8 +39,9 @@ std::string materials_text() {
     for (const std::string& name : materials::further_shipped(kind)) known.push_back(name);
     return input::joined(known);
   };
-  std::string text = fmt::format("fabrics:   {}\ntissues:   {}\nrigid:     \"rigid\" (bone without unknowns)\n", names(materials::fabric_names(), Kind::fabric),
-                                 names(materials::tissue_names(), Kind::tissue));
+  std::string text =
+      fmt::format("fabrics:   {}\ntissues:   {}\nrigid:     \"rigid\" (bone without unknowns)\n",
+                  names(materials::fabric_names(), Kind::fabric), names(materials::tissue_names(), Kind::tissue));
   for (const auto& [kind, head] : {std::pair{Kind::fabric, "own fabrics"}, std::pair{Kind::tissue, "own tissues"}})
     if (const auto own = own_entities(kind); !own.empty()) text += fmt::format("{}: {}\n", head, input::joined(own));
   return text;

@@ -62,7 +62,9 @@ void print_curve(const std::string& name, const Curve& curve) {
 class Materials : public Command {
  public:
   std::string name() const override { return "materials"; }
-  std::string summary() const override { return "fabrics, tissues and the engineering database: what is known, questions, own entries"; }
+  std::string summary() const override {
+    return "fabrics, tissues and the engineering database: what is known, questions, own entries";
+  }
 
   void declare(CLI::App& app) override {
     app.require_subcommand(1);
@@ -86,7 +88,9 @@ class Materials : public Command {
       command->declare(*sub);
       parsers_.push_back(sub);
     }
-    app.footer("The library is the file that SNUG_LIBRARY names, else snug/library.db in your data folder; it is made when it is first needed. docs/library.md shows it by example.");
+    app.footer(
+        "The library is the file that SNUG_LIBRARY names, else snug/library.db in your data folder; it is made when it "
+        "is first needed. docs/library.md shows it by example.");
   }
 
   int execute() override {

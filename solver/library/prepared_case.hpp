@@ -16,7 +16,8 @@ struct PrepareOptions {
   input::ReadOptions reading = {};
   mesh::GmshOptions gmsh = {};
   double memory_limit = 0.0;  ///< bytes that the case may take; 0: what the machine has
-  std::filesystem::path library = {};  ///< file of the engineering database, looked at for materials that do not ship; empty: none
+  std::filesystem::path library =
+      {};  ///< file of the engineering database, looked at for materials that do not ship; empty: none
 };
 
 /// A case made ready to be solved: read, meshed, its materials looked up.
