@@ -1,0 +1,219 @@
+#include "mesh/pattern/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "mesh/garment/union_find.hpp"
+#include "mesh/pattern/outline_checks.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+using input::Diagnostic;
+using input::Diagnostics;
+
+void check_names(const Pattern& pattern, Diagnostics& diagnostics) {
+  std::set<std::string> pieces;
+  for (const Piece& piece : pattern.pieces) {
+    if (!pieces.insert(piece.name).second) diagnostics.error(piece.where, "a second piece has the name " + piece.name, "give it a name of its own");
+    std::set<std::string> edges;
+    for (const PieceEdge& edge : piece.edges)
+      if (!edges.insert(edge.name).second)
+        diagnostics.error(edge.where, fmt::format("a second edge of {} has the name {}", piece.name, edge.name), "give it a name of its own");
+  }
+}
+
+void check_notches(const Piece& piece, Diagnostics& diagnostics) {
+  for (const Notch& notch : piece.notches)
+    if (!(notch.share >= 0.0 && notch.share <= 1.0))
+      diagnostics.error(notch.where, fmt::format("the notch {} of {} stands off the edge {}, at {:.4g} of its length", notch.name, piece.name,
+                                                 piece.edges[notch.edge].name, notch.share),
+                        "write a share of the edge's length from 0 to 1");
+}
+
+void check_fabrics(const Pattern& pattern, Diagnostics& diagnostics) {
+  const auto has = [](const Piece& piece) { return piece.fabric.has_value(); };
+  if (pattern.fabric || std::none_of(pattern.pieces.begin(), pattern.pieces.end(), has)) return;
+  for (const Piece& piece : pattern.pieces)
+    if (!has(piece))
+      diagnostics.error(piece.where, fmt::format("the piece {} has no fabric, others have one of their own", piece.name),
+                        "give it a fabric, or the whole pattern one that holds where a piece says nothing");
+}
+
+std::string millimetres(double length) { return fmt::format("{:.1f} mm", 1e3 * length); }
+
+void check_ease(const Pattern& pattern, const Seam& seam, Diagnostics& diagnostics) {
+  const double a = length(pattern, seam.a), b = length(pattern, seam.b), found = ease(a, b);
+  const std::string sides = fmt::format("{} ({}) and {} ({})", name_of(pattern, seam.a), millimetres(a), name_of(pattern, seam.b), millimetres(b));
+  if (!seam.ease && found > largest_ease)
+    diagnostics.error(seam.where, fmt::format("the seam {} has an ease of {:.1f} %: {}", seam.name, 100.0 * found, sides),
+                      fmt::format("let its sides differ by at most {:.0f} %, or write the ease where it is meant (gathers): ease = {:.2f}", 100.0 * largest_ease, found));
+  if (seam.ease && std::abs(found - *seam.ease) > 0.01)
+    diagnostics.error(seam.where, fmt::format("the seam {} means an ease of {:.1f} % and has {:.1f} %: {}", seam.name, 100.0 * *seam.ease, 100.0 * found, sides),
+                      "correct the sides or the ease");
+}
+
+void check_hems(const Pattern& pattern, const Sewing& sewing, Diagnostics& diagnostics) {
+  for (const Hem& hem : pattern.hems)
+    for (const EdgePart& part : hem.edges)
+      for (const Stretch& stretch : sewing.stretches) {
+        const bool of_it = stretch.part.piece == part.piece && stretch.part.edge == part.edge;
+        const double shared = std::min(stretch.part.to, part.to) - std::max(stretch.part.from, part.from);
+        if (!of_it || stretch.seam < 0 || shared < 1e-6) continue;
+        diagnostics.error(hem.where, fmt::format("the hem {} names {}, which the seam {} sews", hem.name, name_of(pattern, part), pattern.seams[stretch.seam].name),
+                          "a hem is of edges that stay open");
+        break;
+      }
+}
+
+/// Stretches of a seam between two places that meet: ease may gather in one of them though the whole fits.
+void warn_of_stretches(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
+  std::set<int> said;
+  for (const Stretch& one : sewing.stretches) {
+    if (one.partner < 0) continue;
+    const Stretch& other = sewing.stretches[one.partner];
+    const Seam& seam = pattern.seams[one.seam];
+    const double allowed = std::max(largest_ease, seam.ease.value_or(0.0) + 0.05);
+    if (ease(one.length, other.length) <= allowed || std::max(one.length, other.length) < 0.02 || !said.insert(one.seam).second) continue;
+    warnings.push_back({seam.where,
+                        fmt::format("in the seam {} the stretch {} ({}) meets {} ({})", seam.name, name_of(pattern, one.part), millimetres(one.length),
+                                    name_of(pattern, other.part), millimetres(other.length)),
+                        "see its notches, the order of its edges, and whether a piece is inside out"});
+  }
+}
+
+/// A side over several pieces goes on where another seam joins them.
+void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t seam, std::vector<Diagnostic>& warnings) {
+  UnionFind others(sewing.stretches.size());
+  for (const Stretch& s : sewing.stretches)
+    if (s.partner >= 0 && s.seam != static_cast<int>(seam)) {
+      others.merge(s.begin, sewing.stretches[s.partner].end);
+      others.merge(s.end, sewing.stretches[s.partner].begin);
+    }
+  const auto corner = [&](const EdgePart& part, bool end) {
+    for (const Stretch& s : sewing.stretches)
+      if (s.part.piece == part.piece && s.part.edge == part.edge && std::abs(end ? s.part.to - part.to : s.part.from - part.from) < 1e-6)
+        return others.find(end ? s.end : s.begin);
+    return -1;
+  };
+  for (const EdgeChain* side : {&pattern.seams[seam].a, &pattern.seams[seam].b})
+    for (std::size_t n = 1; n < side->size(); ++n) {
+      const EdgePart &one = (*side)[n - 1], &next = (*side)[n];
+      if (corner(one, true) == corner(next, false)) continue;
+      warnings.push_back({pattern.seams[seam].where,
+                          fmt::format("in the seam {} the edge {} does not end where {} begins, and no other seam joins them", pattern.seams[seam].name,
+                                      name_of(pattern, one), name_of(pattern, next)),
+                          "write the edges of a side in their order, each in the direction of its outline"});
+    }
+}
+
+/// Each corner of the sewn garment should be the middle or the border of one fan of cloth.
+void warn_of_points(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
+  std::vector<bool> seen(sewing.stretches.size(), false);
+  std::map<int, int> fans, where;
+  const auto count = [&](int stretch, int corner) { ++fans[corner], where.emplace(corner, stretch); };
+  for (std::size_t s = 0; s < sewing.stretches.size(); ++s) {  // from one open border to the next
+    if (sewing.stretches[s].partner >= 0) continue;
+    int t = sewing.stretches[s].next;
+    for (; sewing.stretches[t].partner >= 0; t = sewing.stretches[sewing.stretches[t].partner].next) seen[t] = true;
+    count(t, sewing.corners[sewing.stretches[t].begin]);
+  }
+  for (std::size_t s = 0; s < sewing.stretches.size(); ++s) {  // all round
+    if (sewing.stretches[s].partner < 0 || seen[s]) continue;
+    for (int t = static_cast<int>(s); !seen[t]; t = sewing.stretches[sewing.stretches[t].partner].next) seen[t] = true;
+    count(static_cast<int>(s), sewing.corners[sewing.stretches[s].begin]);
+  }
+  for (const auto& [corner, number] : fans) {
+    if (number < 2) continue;
+    const EdgePart& part = sewing.stretches[where.at(corner)].part;
+    const PieceEdge& edge = pattern.pieces[part.piece].edges[part.edge];
+    warnings.push_back({edge.where, fmt::format("where {} begins, {} parts of the garment meet at a point only", name_of(pattern, part), number),
+                        "see whether the seams there run the right way and none is missing"});
+  }
+}
+
+/// Open stretches one after the other between two corners of the sewn border.
+struct OpenRun {
+  EdgeChain edges;
+  double length = 0.0;
+};
+
+std::vector<OpenRun> open_runs(const Sewing& sewing, const OpenLoop& loop) {
+  constexpr double sharp = 0.75 * std::numbers::pi;  // a hem goes over a seam at some 180 degrees
+  const auto begins = [&](std::size_t n) { return loop.angles[n] < sharp; };
+  const std::size_t count = loop.stretches.size();
+  std::size_t first = 0;
+  while (first < count && !begins(first)) ++first;
+  std::vector<OpenRun> runs;
+  for (std::size_t n = 0; n < count && first < count; ++n) {
+    const std::size_t at = (first + n) % count;
+    if (begins(at)) runs.emplace_back();
+    const Stretch& stretch = sewing.stretches[loop.stretches[at]];
+    runs.back().edges.push_back(stretch.part);
+    runs.back().length += stretch.length;
+  }
+  return runs.size() > 1 ? runs : std::vector<OpenRun>{};
+}
+
+/// Hems run smoothly over seams. Two open runs of one length between sharp corners were meant to be sewn, as like as not.
+void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
+  if (pattern.seams.empty() && pattern.pieces.size() == 1) return;
+  std::vector<OpenRun> runs;
+  for (const OpenLoop& loop : sewing.open)
+    for (OpenRun& run : open_runs(sewing, loop)) runs.push_back(std::move(run));
+  std::vector<bool> said(runs.size(), false);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = i + 1; j < runs.size() && !said[i]; ++j) {
+      if (said[j] || runs[i].length < 0.03 || ease(runs[i].length, runs[j].length) > 0.015) continue;
+      said[i] = said[j] = true;
+      const EdgePart& first = runs[i].edges.front();
+      warnings.push_back({pattern.pieces[first.piece].edges[first.edge].where,
+                          fmt::format("{} ({}) and {} ({}) stay open between corners and are as long as each other", name_of(pattern, runs[i].edges),
+                                      millimetres(runs[i].length), name_of(pattern, runs[j].edges), millimetres(runs[j].length)),
+                          "they look like a seam: name it, or leave it where both are hems"});
+    }
+}
+
+}  // namespace
+
+void check_pieces(const Pattern& pattern) {
+  Diagnostics diagnostics;
+  if (pattern.pieces.empty()) diagnostics.error({.file = pattern.file}, "the pattern has no piece", "give it at least one");
+  check_names(pattern, diagnostics);
+  check_fabrics(pattern, diagnostics);
+  for (const Piece& piece : pattern.pieces) {
+    check_outline(piece, diagnostics);
+    check_notches(piece, diagnostics);
+  }
+  diagnostics.throw_if_any();
+}
+
+std::vector<Diagnostic> check_seams(const Pattern& pattern, const Sewing& sewing) {
+  Diagnostics diagnostics;
+  for (const Seam& seam : pattern.seams) check_ease(pattern, seam, diagnostics);
+  check_hems(pattern, sewing, diagnostics);
+  diagnostics.throw_if_any();
+  std::vector<Diagnostic> warnings;
+  warn_of_stretches(pattern, sewing, warnings);
+  for (std::size_t s = 0; s < pattern.seams.size(); ++s)
+    if (pattern.seams[s].a.size() + pattern.seams[s].b.size() > 2) warn_of_chain(pattern, sewing, s, warnings);
+  warn_of_points(pattern, sewing, warnings);
+  warn_of_open(pattern, sewing, warnings);
+  return warnings;
+}
+
+CheckedPattern checked(Pattern pattern) {
+  check_pieces(pattern);
+  CheckedPattern result{std::move(pattern), {}, {}};
+  result.sewing = sew(result.pattern);
+  result.warnings = check_seams(result.pattern, result.sewing);
+  return result;
+}
+
+}  // namespace snug::mesh

@@ -1,0 +1,142 @@
+#include "mesh/pattern/garment_pattern.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "cases/input/suggestion.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+using input::Diagnostics;
+using input::Location;
+
+std::string trimmed(std::string text) {
+  text.erase(0, text.find_first_not_of(" \t\n"));
+  text.erase(text.find_last_not_of(" \t\n") + 1);
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text, const std::string& separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const auto end = text.find(separator, begin);
+    parts.push_back(trimmed(text.substr(begin, end == std::string::npos ? end : end - begin)));
+    if (end == std::string::npos) return parts;
+    begin = end + separator.size();
+  }
+}
+
+std::optional<double> number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// "[0..0.4]" at the end of a name; takes it off. False: it is there and is none.
+bool take_range(std::string& name, EdgePart& part) {
+  const auto open = name.find('[');
+  if (open == std::string::npos) return true;
+  const std::string range = name.substr(open);
+  name = trimmed(name.substr(0, open));
+  if (range.back() != ']') return false;
+  const auto ends = split(range.substr(1, range.size() - 2), "..");
+  if (ends.size() != 2) return false;
+  const auto from = number(ends[0]), to = number(ends[1]);
+  if (!from || !to || !(*from >= 0.0) || !(*to <= 1.0) || !(*from < *to)) return false;
+  part.from = *from, part.to = *to;
+  return true;
+}
+
+template <class Named>
+std::vector<std::string> names(const std::vector<Named>& all) {
+  std::vector<std::string> result;
+  for (const Named& one : all) result.push_back(one.name);
+  return result;
+}
+
+std::optional<EdgePart> edge_part(std::string name, const Pattern& pattern, const Location& where, Diagnostics& diagnostics) {
+  EdgePart part;
+  const std::string whole = name;
+  if (!take_range(name, part)) {
+    diagnostics.error(where, "\"" + whole + "\" names no part of an edge", "write shares of its length, from 0 to 1: \"front.side[0..0.4]\"");
+    return std::nullopt;
+  }
+  const auto dot = name.find('.');
+  if (dot == std::string::npos) {
+    diagnostics.error(where, "\"" + whole + "\" names no edge", "write piece and edge with a dot between them: \"front.side\"");
+    return std::nullopt;
+  }
+  const std::string piece = name.substr(0, dot), edge = name.substr(dot + 1);
+  part.piece = pattern.find(piece);
+  if (part.piece < 0) {
+    diagnostics.error(where, "there is no piece \"" + piece + "\"", input::did_you_mean(piece, names(pattern.pieces)));
+    return std::nullopt;
+  }
+  part.edge = pattern.pieces[part.piece].find(edge);
+  if (part.edge < 0) {
+    diagnostics.error(where, "the piece " + piece + " has no edge \"" + edge + "\"", input::did_you_mean(edge, names(pattern.pieces[part.piece].edges)));
+    return std::nullopt;
+  }
+  return part;
+}
+
+}  // namespace
+
+int Pattern::find(const std::string& piece) const {
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+    if (pieces[p].name == piece) return static_cast<int>(p);
+  return -1;
+}
+
+std::string name_of(const Pattern& pattern, const EdgePart& part) {
+  const Piece& piece = pattern.pieces[part.piece];
+  const std::string name = piece.name + "." + piece.edges[part.edge].name;
+  return part.from == 0.0 && part.to == 1.0 ? name : fmt::format("{}[{:.4g}..{:.4g}]", name, part.from, part.to);
+}
+
+std::string name_of(const Pattern& pattern, const EdgeChain& chain) {
+  std::string text;
+  for (const EdgePart& part : chain) text += (text.empty() ? "" : " + ") + name_of(pattern, part);
+  return text;
+}
+
+EdgeChain edge_chain(const std::string& text, const Pattern& pattern, const Location& where, Diagnostics& diagnostics) {
+  EdgeChain chain;
+  for (const std::string& name : split(text, "+")) {
+    const auto part = edge_part(name, pattern, where, diagnostics);
+    if (!part) return {};
+    chain.push_back(*part);
+  }
+  return chain;
+}
+
+double length(const Pattern& pattern, const EdgePart& part) {
+  return (part.to - part.from) * ArcLength(pattern.pieces[part.piece].edges[part.edge].curve).length();
+}
+
+double length(const Pattern& pattern, const EdgeChain& chain) {
+  double sum = 0.0;
+  for (const EdgePart& part : chain) sum += length(pattern, part);
+  return sum;
+}
+
+double ease(double one_side, double other_side) {
+  const double shorter = std::min(one_side, other_side);
+  return shorter > 0.0 ? std::max(one_side, other_side) / shorter - 1.0 : 0.0;
+}
+
+Pattern graded(const Pattern& pattern, double girth, double length) {
+  Pattern result = pattern;
+  for (Piece& piece : result.pieces) {
+    piece = scaled(piece, girth, length);
+    if (piece.place) piece.place->translation = piece.place->translation.cwiseProduct(Eigen::Vector3d(girth, length, girth));
+  }
+  return result;
+}
+
+}  // namespace snug::mesh

@@ -1,0 +1,15 @@
+// The pattern format of ours, in TOML (docs/patterns.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "mesh/pattern/garment_pattern.hpp"
+
+namespace snug::mesh {
+
+/// Reads a pattern; the checks of mesh/pattern/checks.hpp are for afterwards. Throws input::InputError with every error of the file, each with
+/// its place.
+Pattern parse_toml_pattern(const std::string& text, const std::string& shown_as);
+
+}  // namespace snug::mesh
