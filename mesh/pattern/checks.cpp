@@ -18,17 +18,6 @@ namespace {
 using input::Diagnostic;
 using input::Diagnostics;
 
-void check_names(const Pattern& pattern, Diagnostics& diagnostics) {
-  std::set<std::string> pieces;
-  for (const Piece& piece : pattern.pieces) {
-    if (!pieces.insert(piece.name).second) diagnostics.error(piece.where, "a second piece has the name " + piece.name, "give it a name of its own");
-    std::set<std::string> edges;
-    for (const PieceEdge& edge : piece.edges)
-      if (!edges.insert(edge.name).second)
-        diagnostics.error(edge.where, fmt::format("a second edge of {} has the name {}", piece.name, edge.name), "give it a name of its own");
-  }
-}
-
 void check_notches(const Piece& piece, Diagnostics& diagnostics) {
   for (const Notch& notch : piece.notches)
     if (!(notch.share >= 0.0 && notch.share <= 1.0))
@@ -113,28 +102,27 @@ void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t sea
     }
 }
 
-/// Each corner of the sewn garment should be the middle or the border of one fan of cloth.
-void warn_of_points(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
-  std::vector<bool> seen(sewing.stretches.size(), false);
-  std::map<int, int> fans, where;
-  const auto count = [&](int stretch, int corner) { ++fans[corner], where.emplace(corner, stretch); };
-  for (std::size_t s = 0; s < sewing.stretches.size(); ++s) {  // from one open border to the next
-    if (sewing.stretches[s].partner >= 0) continue;
-    int t = sewing.stretches[s].next;
-    for (; sewing.stretches[t].partner >= 0; t = sewing.stretches[sewing.stretches[t].partner].next) seen[t] = true;
-    count(t, sewing.corners[sewing.stretches[t].begin]);
+/// Garments are spheres with open edges. Handles, (2 - open edges - Euler's number) / 2 of them, come from seams that run the
+/// wrong way or stand in the wrong order, as like as not.
+void warn_of_handles(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
+  UnionFind parts(pattern.pieces.size());
+  for (const Stretch& s : sewing.stretches)
+    if (s.partner >= 0) parts.merge(s.part.piece, sewing.stretches[s.partner].part.piece);
+  std::map<int, int> euler, open;
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p) euler[parts.find(static_cast<int>(p))] += 2 - static_cast<int>(pattern.pieces[p].loops.size());
+  std::set<int> corners;
+  for (std::size_t s = 0; s < sewing.stretches.size(); ++s) {
+    const int part = parts.find(sewing.stretches[s].part.piece);
+    if (corners.insert(sewing.corners[sewing.stretches[s].begin]).second) ++euler[part];
+    if (sewing.stretches[s].partner < static_cast<int>(s)) --euler[part];
   }
-  for (std::size_t s = 0; s < sewing.stretches.size(); ++s) {  // all round
-    if (sewing.stretches[s].partner < 0 || seen[s]) continue;
-    for (int t = static_cast<int>(s); !seen[t]; t = sewing.stretches[sewing.stretches[t].partner].next) seen[t] = true;
-    count(static_cast<int>(s), sewing.corners[sewing.stretches[s].begin]);
-  }
-  for (const auto& [corner, number] : fans) {
-    if (number < 2) continue;
-    const EdgePart& part = sewing.stretches[where.at(corner)].part;
-    const PieceEdge& edge = pattern.pieces[part.piece].edges[part.edge];
-    warnings.push_back({edge.where, fmt::format("where {} begins, {} parts of the garment meet at a point only", name_of(pattern, part), number),
-                        "see whether the seams there run the right way and none is missing"});
+  for (const OpenLoop& loop : sewing.open) ++open[parts.find(sewing.stretches[loop.stretches.front()].part.piece)];
+  for (const auto& [part, number] : euler) {
+    const int handles = (2 - open[part] - number) / 2;
+    if (handles < 1) continue;
+    const Piece& piece = pattern.pieces[part];
+    warnings.push_back({piece.where, fmt::format("sewn together, {} and what hangs on it has {} handle{}, which garments have where straps cross", piece.name, handles, handles > 1 ? "s" : ""),
+                        "see whether a seam runs the wrong way or names its edges in the wrong order"});
   }
 }
 
@@ -161,12 +149,25 @@ std::vector<OpenRun> open_runs(const Sewing& sewing, const OpenLoop& loop) {
   return runs.size() > 1 ? runs : std::vector<OpenRun>{};
 }
 
+/// A run over several pieces has a seam in its middle, and what the pattern names a hem is one.
+bool is_hem(const Pattern& pattern, const OpenRun& run) {
+  const auto of_one_piece = [&](const EdgePart& part) { return part.piece == run.edges.front().piece; };
+  const auto named = [&](const EdgePart& part) {
+    for (const Hem& hem : pattern.hems)
+      for (const EdgePart& one : hem.edges)
+        if (one.piece == part.piece && one.edge == part.edge && one.from <= part.from + 1e-6 && one.to >= part.to - 1e-6) return true;
+    return false;
+  };
+  return !std::all_of(run.edges.begin(), run.edges.end(), of_one_piece) || std::all_of(run.edges.begin(), run.edges.end(), named);
+}
+
 /// Hems run smoothly over seams. Two open runs of one length between sharp corners were meant to be sewn, as like as not.
 void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
   if (pattern.seams.empty() && pattern.pieces.size() == 1) return;
   std::vector<OpenRun> runs;
   for (const OpenLoop& loop : sewing.open)
-    for (OpenRun& run : open_runs(sewing, loop)) runs.push_back(std::move(run));
+    for (OpenRun& run : open_runs(sewing, loop))
+      if (!is_hem(pattern, run)) runs.push_back(std::move(run));
   std::vector<bool> said(runs.size(), false);
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (std::size_t j = i + 1; j < runs.size() && !said[i]; ++j) {
@@ -181,6 +182,17 @@ void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diag
 }
 
 }  // namespace
+
+void check_names(const Pattern& pattern, Diagnostics& diagnostics) {
+  std::set<std::string> pieces;
+  for (const Piece& piece : pattern.pieces) {
+    if (!pieces.insert(piece.name).second) diagnostics.error(piece.where, "a second piece has the name " + piece.name, "give it a name of its own");
+    std::set<std::string> edges;
+    for (const PieceEdge& edge : piece.edges)
+      if (!edges.insert(edge.name).second)
+        diagnostics.error(edge.where, fmt::format("a second edge of {} has the name {}", piece.name, edge.name), "give it a name of its own");
+  }
+}
 
 void check_pieces(const Pattern& pattern) {
   Diagnostics diagnostics;
@@ -203,7 +215,7 @@ std::vector<Diagnostic> check_seams(const Pattern& pattern, const Sewing& sewing
   warn_of_stretches(pattern, sewing, warnings);
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
     if (pattern.seams[s].a.size() + pattern.seams[s].b.size() > 2) warn_of_chain(pattern, sewing, s, warnings);
-  warn_of_points(pattern, sewing, warnings);
+  warn_of_handles(pattern, sewing, warnings);
   warn_of_open(pattern, sewing, warnings);
   return warnings;
 }

@@ -38,6 +38,27 @@ Span mapped(const Span& span, const Eigen::Affine2d& map) {
       span);
 }
 
+/// The span between two parameters: control points by the blossom of its polynomial.
+Span part(const Span& span, double a, double b) {
+  const auto mix = [](const Vector2d& p, const Vector2d& q, double t) -> Vector2d { return (1.0 - t) * p + t * q; };
+  return std::visit(Overloaded{[&](const Line& s) -> Span { return Line{mix(s.from, s.to, a), mix(s.from, s.to, b)}; },
+                               [&](const Quadratic& s) -> Span {
+                                 const auto blossom = [&](double t, double u) { return mix(mix(s.from, s.control, t), mix(s.control, s.to, t), u); };
+                                 return Quadratic{blossom(a, a), blossom(a, b), blossom(b, b)};
+                               },
+                               [&](const Cubic& s) -> Span {
+                                 const auto blossom = [&](double t, double u, double v) {
+                                   const Vector2d p = mix(s.from, s.first, t), q = mix(s.first, s.second, t), r = mix(s.second, s.to, t);
+                                   return mix(mix(p, q, u), mix(q, r, u), v);
+                                 };
+                                 return Cubic{blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)};
+                               },
+                               [&](const Arc& s) -> Span {
+                                 return Arc{s.centre, s.u, s.v, s.from + a * (s.to - s.from), s.from + b * (s.to - s.from)};
+                               }},
+                    span);
+}
+
 /// Gauss's rule on [-1, 1], exact to degree 15.
 const fem::Rule& rule() {
   static const fem::Rule eight = fem::quadrature(fem::Domain::line, 15);
@@ -170,7 +191,7 @@ std::vector<Span> without_arcs(const Curve& curve) {
       result.push_back(span);
       continue;
     }
-    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(arc->to - arc->from) / (std::numbers::pi / 4.0) - 1e-9)));
+    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(arc->to - arc->from) / (std::numbers::pi / 8.0) - 1e-9)));
     for (int n = 0; n < count; ++n) {
       const double from = static_cast<double>(n) / count, to = static_cast<double>(n + 1) / count;
       // The control points of a circle's arc of angle a stand 4/3 tan(a/4) radii from its ends; an affine map keeps them.
@@ -222,8 +243,24 @@ const ArcLength::Panel& ArcLength::panel_at(double length) const {
 }
 
 Vector2d ArcLength::at(double share) const {
-  if (share <= 0.0) return curve_.begin();
-  if (share >= 1.0) return curve_.end();
+  const auto [span, t] = parameter_at(share);
+  return mesh::at(curve_.spans[span], t);
+}
+
+Curve ArcLength::between(double from, double to) const {
+  const auto [first, t0] = parameter_at(from);
+  const auto [last, t1] = parameter_at(to);
+  Curve result;
+  for (int s = first; s <= last; ++s) {
+    const double a = s == first ? t0 : 0.0, b = s == last ? t1 : 1.0;
+    if (b - a > 1e-12 || first == last) result.spans.push_back(part(curve_.spans[s], a, b));
+  }
+  return result;
+}
+
+std::pair<int, double> ArcLength::parameter_at(double share) const {
+  if (share <= 0.0) return {0, 0.0};
+  if (share >= 1.0) return {static_cast<int>(curve_.spans.size()) - 1, 1.0};
   const double wanted = share * length();
   const Panel& panel = panel_at(wanted);
   const Span& span = curve_.spans[panel.span];
@@ -238,7 +275,7 @@ Vector2d ArcLength::at(double share) const {
     const double next = speed > 0.0 ? t - error / speed : low - 1.0;
     t = next > low && next < high ? next : 0.5 * (low + high);
   }
-  return mesh::at(span, t);
+  return {panel.span, t};
 }
 
 double ArcLength::nearest(const Vector2d& point) const {

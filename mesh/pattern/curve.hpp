@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -54,8 +55,8 @@ Curve reversed(const Curve& curve);
 /// Its image; exact, whatever the map.
 Curve mapped(const Curve& curve, const Eigen::Affine2d& map);
 
-/// Spans that formats without arcs know: an arc becomes cubic Bezier curves of an eighth of a turn at most, which are off by 5e-7
-/// of its half-axes.
+/// Spans that formats without arcs know: an arc becomes cubic Bezier curves of a sixteenth of a turn at most, which are off by
+/// 7e-8 of its half-axes.
 std::vector<Span> without_arcs(const Curve& curve);
 
 /// Points on the curve, both ends among them, between which it stays within `tolerance` (m) of its chords.
@@ -73,6 +74,8 @@ class ArcLength {
   double length() const { return panels_.back().after; }  ///< m
   /// The point at a share of the length in [0, 1].
   Eigen::Vector2d at(double share) const;
+  /// The stretch between two shares of the length, from < to; exactly the same curve.
+  Curve between(double from, double to) const;
   /// Share of the length at which the curve comes nearest to a point.
   double nearest(const Eigen::Vector2d& point) const;
 
@@ -83,6 +86,7 @@ class ArcLength {
     double before = 0.0, after = 0.0;  // m, along the curve
   };
   const Panel& panel_at(double length) const;
+  std::pair<int, double> parameter_at(double share) const;  // span and its t
 
   Curve curve_;
   std::vector<Panel> panels_;

@@ -150,13 +150,13 @@ class Drawing {
     }
     const auto [place, space] = roomiest(loops, boxes_[p]);
     const Vector2d middle = paper(p, place);
-    draw_grain(piece, middle, std::min(5.0 * text_, 0.85e3 * space));
+    draw_grain(piece, middle, std::min(5.0 * text_, 0.6e3 * space));
     std::string about = fmt::format("{:.0f} cm²", 1e4 * area(piece));
     if (piece.fabric) about += ", " + (piece.fabric->name.empty() ? std::string("fabric of its own") : piece.fabric->name);
-    if (piece.from_inside) about += ", drawn from its inside";
     const double room = 1.1 * text_;
     body_ += text(middle + Vector2d(0.0, -0.6 * room), xml_text(piece.name), 1.25 * text_, "#222", true);
     body_ += text(middle + Vector2d(0.0, 0.8 * room), xml_text(about), 0.8 * text_, "#555", true);
+    if (piece.from_inside) body_ += text(middle + Vector2d(0.0, 1.8 * room), "drawn from its inside", 0.7 * text_, "#555", true);
   }
 
   void draw_grain(const Piece& piece, const Vector2d& middle, double half) {
@@ -177,14 +177,8 @@ class Drawing {
   /// Seams in their colour, open edges in black.
   void draw_stretch(const Stretch& stretch) {
     const EdgePart& part = stretch.part;
-    const Curve& curve = pattern_.pieces[part.piece].edges[part.edge].curve;
-    std::string path;
-    if (part.from == 0.0 && part.to == 1.0) {
-      path = fmt::format("M{}{}", point(paper(part.piece, curve.begin())), path_on(curve, shifts_[part.piece]));
-    } else {
-      const ArcLength along(curve);
-      for (int n = 0; n <= 40; ++n) path += (n == 0 ? "M" : " L") + point(paper(part.piece, along.at(part.from + (part.to - part.from) * n / 40.0)));
-    }
+    const Curve curve = ArcLength(pattern_.pieces[part.piece].edges[part.edge].curve).between(part.from, part.to);
+    const std::string path = fmt::format("M{}{}", point(paper(part.piece, curve.begin())), path_on(curve, shifts_[part.piece]));
     body_ += fmt::format("<path class=\"{}\" d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.3f}\" stroke-linecap=\"round\"/>\n", stretch.seam < 0 ? "open" : "seam", path,
                          stretch.seam < 0 ? "#222" : colour(stretch.seam), (stretch.seam < 0 ? 0.12 : 0.28) * text_);
   }

@@ -260,7 +260,7 @@ class Reading {
   void orient() {
     for (const Piece& piece : pattern_.pieces)
       for (std::size_t e = 0; e < piece.edges.size(); ++e)
-        if ((piece.edges[e].curve.end() - piece.edges[piece.next(static_cast<int>(e))].curve.begin()).norm() > 0.0)
+        if ((piece.edges[e].curve.end() - piece.edges[piece.next(static_cast<int>(e))].curve.begin()).norm() > 1e-9)
           fault(piece.edges[e].where, fmt::format("the outline of {} is open after {}", piece.name, piece.edges[e].name), "let each edge begin at the vertex where the one before it ends");
     diagnostics_.throw_if_any();
     std::vector<int> listed(pattern_.pieces.size(), 1);

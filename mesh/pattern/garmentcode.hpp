@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mesh/pattern/garment_pattern.hpp"
+#include "mesh/pattern/checks.hpp"
 
 namespace snug::mesh {
 
@@ -18,9 +18,9 @@ namespace snug::mesh {
 Pattern parse_garmentcode(const std::string& text, const std::string& shown_as);
 
 /// The pattern in this layout, 100 units to the metre, pieces seen from the outside, with the key properties.seen_from_outside,
-/// by which `parse_garmentcode` gives the same pattern again. Arcs that are not of circles become Bezier curves within
-/// 1e-6 of their size. Grain, notches, holes, fabrics, hems and inner lines have no place in it. Throws std::invalid_argument for
-/// parts of edges and for sides over several pieces, which it cannot hold either.
-std::string garmentcode_text(const Pattern& pattern);
+/// by which `parse_garmentcode` takes it as it stands. Each stretch of an edge between corners of the sewing is an edge, and each
+/// span of a spline one of its own; a seam of several is a stitch with "edges". Arcs that are not of circles become Bezier curves within
+/// 1e-7 of their size. Grain, notches, holes, fabrics, names of hems and inner lines have no place in it.
+std::string garmentcode_text(const CheckedPattern& checked);
 
 }  // namespace snug::mesh

@@ -99,7 +99,18 @@ class Groups {
 
 bool runs_left(const Piece& piece) { return area(piece) > 0.0; }
 
+/// Whether the side of a placed piece from which its outline runs counter-clockwise looks away from the middle of the garment.
+bool looks_out(const Pattern& pattern, const Piece& piece) {
+  Vector3d middle = Vector3d::Zero();
+  int placed = 0;
+  for (const Piece& one : pattern.pieces)
+    if (one.place) middle += in_space(one, box(one).center()), ++placed;
+  const Vector3d normal = (runs_left(piece) ? 1.0 : -1.0) * piece.place->rotation.col(2);
+  return normal.dot(in_space(piece, box(piece).center()) - middle / placed) > 0.0;
+}
+
 /// The sign of a whole group: most placed outlines run counter-clockwise seen from the outside, most drawings show the outside.
+/// Where as many say the one as the other: outsides look away from the middle, and the first drawing shows it.
 int sign_of(const Pattern& pattern, const Groups& groups, int group) {
   int votes = 0, first = 0;
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
@@ -107,7 +118,7 @@ int sign_of(const Pattern& pattern, const Groups& groups, int group) {
     const Piece& piece = pattern.pieces[p];
     const int vote = groups.sign(static_cast<int>(p)) * (piece.place || runs_left(piece) ? 1 : -1);
     votes += vote;
-    if (first == 0) first = vote;
+    if (first == 0) first = piece.place && !looks_out(pattern, piece) ? -groups.sign(static_cast<int>(p)) : vote;
   }
   return votes > 0 || (votes == 0 && first > 0) ? 1 : -1;
 }

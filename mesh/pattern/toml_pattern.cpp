@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "cases/input/reader.hpp"
+#include "mesh/pattern/checks.hpp"
 #include "mesh/pattern/interpolating_spline.hpp"
 #include "mesh/pattern/pattern_input.hpp"
 
@@ -214,6 +215,7 @@ Pattern parse_toml_pattern(const std::string& text, const std::string& shown_as)
   pattern.title = read.title, pattern.file = shown_as, pattern.fabric = read.fabric;
   const Drawing drawing(read.unit, diagnostics);
   for (const PieceInput& piece : read.pieces) add_piece(piece, drawing, pattern, diagnostics);
+  check_names(pattern, diagnostics);
   diagnostics.throw_if_any();
   for (const PieceInput& piece : read.pieces) add_darts(read.pieces, piece, piece.name, pattern, diagnostics);
   add_seams(read, pattern, diagnostics);

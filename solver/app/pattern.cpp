@@ -7,6 +7,7 @@
 #include "cases/input/units.hpp"
 #include "mesh/pattern/checks.hpp"
 #include "mesh/pattern/drawing.hpp"
+#include "mesh/pattern/garmentcode.hpp"
 #include "mesh/pattern/read_pattern.hpp"
 #include "mesh/pattern/sewn_mesh.hpp"
 #include "solver/app/command.hpp"
@@ -30,6 +31,7 @@ class PatternCommand : public Command {
     app.add_option("--grade", grade_, "GIRTH LENGTH: stretch every piece across and along by these factors, 0.96 1.02")
         ->expected(2)
         ->check(CLI::Range(0.2, 5.0));
+    app.add_option("--write", write_, "also write the pattern, graded where that is asked for, as this file: .json (GarmentCode)");
     app.add_option("--cells", cells_, "mesh the pieces with cells of this size (\"8 mm\"), count and draw them");
   }
 
@@ -51,6 +53,7 @@ class PatternCommand : public Command {
     const fs::path drawing = fs::path(out_) / (fs::path(file_).stem().string() + ".svg");
     write_named(drawing.string(), mesh::drawing_svg(checked, mesh ? &*mesh : nullptr));
     fmt::print("\ndrawing: {}\n", drawing.string());
+    if (!write_.empty()) write(checked);
     return done;
   }
 
@@ -61,7 +64,14 @@ class PatternCommand : public Command {
     throw input::InputError({.file = "--cells"}, size.ok() ? "\"" + cells_ + "\" is no size" : size.found, "give a length with its unit, \"8 mm\"");
   }
 
-  std::string file_, out_ = ".", cells_;
+  void write(const mesh::CheckedPattern& checked) const {
+    if (fs::path(write_).extension() != ".json")
+      throw input::InputError({.file = "--write"}, "\"" + write_ + "\" has no ending that patterns are written with", "name a .json file (GarmentCode)");
+    write_named(write_, mesh::garmentcode_text(checked));
+    fmt::print("pattern: {}\n", write_);
+  }
+
+  std::string file_, out_ = ".", cells_, write_;
   std::vector<double> grade_;
 };
 
