@@ -163,7 +163,7 @@ bool is_hem(const Pattern& pattern, const OpenRun& run) {
 
 /// Hems run smoothly over seams. Two open runs of one length between sharp corners were meant to be sewn, as like as not.
 void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
-  if (pattern.seams.empty() && pattern.pieces.size() == 1) return;
+  if (pattern.seams.empty()) return;  // a file of pieces alone
   std::vector<OpenRun> runs;
   for (const OpenLoop& loop : sewing.open)
     for (OpenRun& run : open_runs(sewing, loop))

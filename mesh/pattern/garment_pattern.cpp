@@ -37,17 +37,27 @@ std::optional<double> number(const std::string& text) {
   return value;
 }
 
-/// "[0..0.4]" at the end of a name; takes it off. False: it is there and is none.
-bool take_range(std::string& name, EdgePart& part) {
+/// "[0..0.4]" or "[0..knee]", up to a notch, at the end of a name; takes it off.
+std::string take_range(std::string& name) {
   const auto open = name.find('[');
-  if (open == std::string::npos) return true;
+  if (open == std::string::npos) return {};
   const std::string range = name.substr(open);
   name = trimmed(name.substr(0, open));
+  return range;
+}
+
+/// False: the range is there and is none.
+bool set_range(const std::string& range, const Piece& piece, EdgePart& part) {
+  if (range.empty()) return true;
   if (range.back() != ']') return false;
   const auto ends = split(range.substr(1, range.size() - 2), "..");
-  if (ends.size() != 2) return false;
-  const auto from = number(ends[0]), to = number(ends[1]);
-  if (!from || !to || !(*from >= 0.0) || !(*to <= 1.0) || !(*from < *to)) return false;
+  const auto share = [&](const std::string& end) {
+    for (const Notch& notch : piece.notches)
+      if (notch.edge == part.edge && notch.name == end && !end.empty()) return std::optional(notch.share);
+    return number(end);
+  };
+  const auto from = share(ends.front()), to = share(ends.back());
+  if (ends.size() != 2 || !from || !to || !(*from >= 0.0) || !(*to <= 1.0) || !(*from < *to)) return false;
   part.from = *from, part.to = *to;
   return true;
 }
@@ -61,11 +71,7 @@ std::vector<std::string> names(const std::vector<Named>& all) {
 
 std::optional<EdgePart> edge_part(std::string name, const Pattern& pattern, const Location& where, Diagnostics& diagnostics) {
   EdgePart part;
-  const std::string whole = name;
-  if (!take_range(name, part)) {
-    diagnostics.error(where, "\"" + whole + "\" names no part of an edge", "write shares of its length, from 0 to 1: \"front.side[0..0.4]\"");
-    return std::nullopt;
-  }
+  const std::string whole = name, range = take_range(name);
   const auto dot = name.find('.');
   if (dot == std::string::npos) {
     diagnostics.error(where, "\"" + whole + "\" names no edge", "write piece and edge with a dot between them: \"front.side\"");
@@ -80,6 +86,10 @@ std::optional<EdgePart> edge_part(std::string name, const Pattern& pattern, cons
   part.edge = pattern.pieces[part.piece].find(edge);
   if (part.edge < 0) {
     diagnostics.error(where, "the piece " + piece + " has no edge \"" + edge + "\"", input::did_you_mean(edge, names(pattern.pieces[part.piece].edges)));
+    return std::nullopt;
+  }
+  if (!set_range(range, pattern.pieces[part.piece], part)) {
+    diagnostics.error(where, "\"" + whole + "\" names no part of an edge", "write shares of its length from 0 to 1, or notches that stand on it: \"front.side[0..0.4]\", \"front.side[knee..1]\"");
     return std::nullopt;
   }
   return part;

@@ -143,7 +143,7 @@ struct HemInput {
 };
 
 struct PatternInput {
-  std::string title;
+  std::string title, drawing;
   double unit = 0.0;
   std::optional<input::MaterialEntry> fabric;
   std::vector<PieceInput> pieces;
@@ -154,9 +154,10 @@ struct PatternInput {
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
     field(Field{.key = "title", .meaning = "what the garment is"}, self.title);
-    field(Field{.key = "unit", .unit = "m", .meaning = "unit of all points, e.g. \"1 mm\"", .required = true, .bound = positive()}, self.unit);
+    field(Field{.key = "unit", .unit = "m", .meaning = "unit of all points of this file, e.g. \"1 mm\"", .required = true, .bound = positive()}, self.unit);
     field(Field{.key = "fabric", .meaning = "of pieces that say none; left out: the garment's"}, self.fabric);
-    field(Field{.key = "piece", .meaning = "the flat pieces", .required = true, .one_or_more = true}, self.pieces);
+    field(Field{.key = "drawing", .meaning = "a file beside this one with pieces, .dxf or .svg; those of this file come besides"}, self.drawing);
+    field(Field{.key = "piece", .meaning = "the flat pieces", .one_or_more = true}, self.pieces);
     field(Field{.key = "seam", .meaning = "what is sewn to what", .one_or_more = true}, self.seams);
     field(Field{.key = "hem", .meaning = "names of open edges", .one_or_more = true}, self.hems);
   }

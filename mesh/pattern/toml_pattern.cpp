@@ -72,8 +72,8 @@ class Drawing {
     for (const PointInput& p : edge.through) points.push_back(point(p));
     points.push_back(to);
     for (std::size_t n = 1; n < points.size(); ++n)
-      if (!((points[n] - points[n - 1]).norm() > 1e-6)) {
-        diagnostics_.error(edge.where, "the spline " + edge.name + " has a point twice", "give points that lie apart");
+      if (const double apart = (points[n] - points[n - 1]).norm(); !(apart > 1e-6 && apart < 1e3)) {
+        diagnostics_.error(edge.where, "the spline " + edge.name + (apart < 1e3 ? " has a point twice" : " has a point a kilometre away"), "give points that lie apart, in the unit of the file");
         return {{Line{from, to}}};
       }
     return edge.order == 2 ? quadratic_spline(points) : cubic_spline(points);
@@ -206,12 +206,16 @@ void add_seams(const PatternInput& input, Pattern& pattern, Diagnostics& diagnos
 
 }  // namespace
 
-Pattern parse_toml_pattern(const std::string& text, const std::string& shown_as) {
+Pattern parse_toml_pattern(const std::string& text, const std::string& shown_as, const std::function<Pattern(const std::string&)>& read_drawing) {
   Diagnostics diagnostics;
   const input::Table table = input::parse_text(text, {shown_as, 1, 1}, diagnostics);
   const auto read = diagnostics.any() ? PatternInput{} : input::read<PatternInput>(table, diagnostics);
   diagnostics.throw_if_any();
   Pattern pattern;
+  if (!read.drawing.empty()) {
+    if (!read_drawing) throw input::InputError(table.where_is("drawing"), "a drawing cannot be read here", "name the pieces in this file");
+    pattern.pieces = read_drawing(read.drawing).pieces;
+  }
   pattern.title = read.title, pattern.file = shown_as, pattern.fabric = read.fabric;
   const Drawing drawing(read.unit, diagnostics);
   for (const PieceInput& piece : read.pieces) add_piece(piece, drawing, pattern, diagnostics);

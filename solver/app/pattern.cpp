@@ -26,7 +26,7 @@ class PatternCommand : public Command {
   std::string summary() const override { return "draws, checks and grades the pieces of a sewing pattern"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("FILE", file_, "pattern: .toml (ours, docs/patterns.md) or .json (GarmentCode)")->required();
+    app.add_option("FILE", file_, "pattern: .toml (ours, docs/patterns.md), .json (GarmentCode), .dxf (AAMA, ASTM) or .svg (outlines)")->required();
     app.add_option("--out", out_, "folder for the drawing, NAME.svg")->capture_default_str();
     app.add_option("--grade", grade_, "GIRTH LENGTH: stretch every piece across and along by these factors, 0.96 1.02")
         ->expected(2)

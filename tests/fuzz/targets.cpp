@@ -21,6 +21,11 @@
 #include "mesh/formats/geo_script.hpp"
 #include "mesh/formats/gmsh_file.hpp"
 #include "mesh/formats/triangle_surface.hpp"
+#include "mesh/pattern/drawing.hpp"
+#include "mesh/pattern/dxf_pattern.hpp"
+#include "mesh/pattern/garmentcode.hpp"
+#include "mesh/pattern/svg_pattern.hpp"
+#include "mesh/pattern/toml_pattern.hpp"
 #include "postproc/comfort/curve_fit.hpp"
 #include "postproc/comfort/curve_library.hpp"
 #include "postproc/comfort/fuzzy_file.hpp"
@@ -341,6 +346,30 @@ std::vector<Target> library_targets() {
        curve,
        {text_of(data / "weft_tensile.csv"), "x,y\n0,1\n2,5\n"},
        {",", "\n", "[%]", "1e308", "-1e308", "nan", "#", "\""}},
+/// Sewing patterns. One that is read must also be checked, and where it is sound drawn, written, read again and meshed.
+std::vector<Target> pattern_targets() {
+  const auto pattern_by = [](auto parse) {
+    return [parse](const fs::path&, const std::string& text) {
+      const mesh::CheckedPattern checked = mesh::checked(parse(text));
+      mesh::drawing_svg(checked);
+      mesh::checked(mesh::parse_garmentcode(mesh::garmentcode_text(checked), "written"));
+      double largest = 0.0;
+      for (const mesh::Piece& piece : checked.pattern.pieces) largest = std::max(largest, mesh::box(piece).sizes().maxCoeff());
+      mesh::mesh_pattern(checked, largest / 8.0);
+    };
+  };
+  const fs::path patterns = fs::path(SNUG_SOURCE_DIR) / "tests/data/patterns";
+  const std::string skirt = text_of(patterns / "skirt.toml");
+  const mesh::CheckedPattern drawn = mesh::checked(mesh::parse_toml_pattern(skirt, "skirt"));
+  return {
+      {"pattern", pattern_by([](const std::string& text) { return mesh::parse_toml_pattern(text, "fuzz"); }), {skirt},
+       {"[[piece]]\n", "[[seam]]\n", "kind = \"arc\", ", "kind = \"spline\", ", "through = [[1, 2]], ", "[0..0.5]", " + ", "-1", "1e999", "1e-9", "mirror_of = \"front\"\n", "0, 0"}},
+      {"garmentcode", pattern_by([](const std::string& text) { return mesh::parse_garmentcode(text, "fuzz"); }), {mesh::garmentcode_text(drawn)},
+       {"{", "}", "[", "]", "null", "1e308", "-1", "\"circle\"", "\"edges\": [0, 1]", "\"translation\": [0, 0, 1], \"rotation\": [0, 90, 0], ", "true", "0.0"}},
+      {"dxf", pattern_by([](const std::string& text) { return mesh::parse_dxf(text, "fuzz"); }), {text_of(patterns / "tube.dxf")},
+       {"  0\n", "POLYLINE\n", "VERTEX\n", " 42\n1.0\n", "SEQEND\n", "BLOCK\n", "LWPOLYLINE\n", "SPLINE\n", "HATCH\n", "MTEXT\n", "999999999", "-1", "1e999", "\n", "  8\n14\n"}},
+      {"svg", pattern_by([](const std::string& text) { return mesh::parse_svg(text, "fuzz"); }), {mesh::drawing_svg(drawn)},
+       {"<path d=\"", "\"/>", "<g transform=\"rotate(", "matrix(1 2 3 4 5 6)", " A 1 1 0 0 1 ", " Z ", "M 0 0 ", "1e999", "-", "</g>", "&#0;", "class=\"outline\""}},
   };
 }
 
@@ -357,6 +386,7 @@ std::vector<Target> targets() {
   for (Target& target : mesh_targets()) all.push_back(std::move(target));
   for (Target& target : curve_targets()) all.push_back(std::move(target));
   for (Target& target : library_targets()) all.push_back(std::move(target));
+  for (Target& target : pattern_targets()) all.push_back(std::move(target));
   return all;
 }
 
