@@ -95,9 +95,10 @@ void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t sea
     for (std::size_t n = 1; n < side->size(); ++n) {
       const EdgePart &one = (*side)[n - 1], &next = (*side)[n];
       if (corner(one, true) == corner(next, false)) continue;
+      const auto follows = std::find_if(side->begin(), side->end(), [&](const EdgePart& other) { return corner(other, false) == corner(one, true); });
       warnings.push_back({pattern.seams[seam].where,
-                          fmt::format("in the seam {} the edge {} does not end where {} begins, and no other seam joins them", pattern.seams[seam].name,
-                                      name_of(pattern, one), name_of(pattern, next)),
+                          fmt::format("in the seam {} the edge {} does not end where {} begins, and no other seam joins them{}", pattern.seams[seam].name,
+                                      name_of(pattern, one), name_of(pattern, next), follows != side->end() ? "; " + name_of(pattern, *follows) + " begins there" : ""),
                           "write the edges of a side in their order, each in the direction of its outline"});
     }
 }

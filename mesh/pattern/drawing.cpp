@@ -150,6 +150,10 @@ class Drawing {
     }
     const auto [place, space] = roomiest(loops, boxes_[p]);
     const Vector2d middle = paper(p, place);
+    if (narrow(p)) {
+      body_ += text(middle, xml_text(piece.name), 0.9 * text_, "#222", true);
+      return;
+    }
     draw_grain(piece, middle, std::min(5.0 * text_, 0.6e3 * space));
     std::string about = fmt::format("{:.0f} cm²", 1e4 * area(piece));
     if (piece.fabric) about += ", " + (piece.fabric->name.empty() ? std::string("fabric of its own") : piece.fabric->name);
@@ -158,6 +162,9 @@ class Drawing {
     body_ += text(middle + Vector2d(0.0, 0.8 * room), xml_text(about), 0.8 * text_, "#555", true);
     if (piece.from_inside) body_ += text(middle + Vector2d(0.0, 1.8 * room), "drawn from its inside", 0.7 * text_, "#555", true);
   }
+
+  /// Bands and straps: no room inside for more than the name.
+  bool narrow(int p) const { return 1e3 * boxes_[p].sizes().minCoeff() < 5.0 * text_; }
 
   void draw_grain(const Piece& piece, const Vector2d& middle, double half) {
     const Vector2d along(piece.grain.x(), -piece.grain.y()), across(-along.y(), along.x());
@@ -197,7 +204,7 @@ class Drawing {
                          0.15 * text_);
   }
 
-  /// Along the edge, inside; with the length alone where there is no room for the name, and not at all where there is none for that.
+  /// Along the edge, inside, of narrow pieces outside; with the length alone where there is no room for the name, and not at all where there is none for that.
   void draw_edge_name(int p, int edge) {
     const double length = ArcLength(pattern_.pieces[p].edges[edge].curve).length();
     const std::string name = pattern_.pieces[p].edges[edge].name, long_text = name + "  " + millimetres(length), short_text = millimetres(length);
@@ -208,7 +215,7 @@ class Drawing {
     double turn = std::atan2(inwards.x(), -inwards.y()) * 180.0 / std::numbers::pi;
     if (turn > 90.0) turn -= 180.0;
     if (turn < -90.0) turn += 180.0;
-    body_ += text(at + 1.0 * text_ * inwards, xml_text(fits(long_text) ? long_text : short_text), size, "#333", true, turn);
+    body_ += text(at + (narrow(p) ? -1.0 : 1.0) * text_ * inwards, xml_text(fits(long_text) ? long_text : short_text), size, "#333", true, turn);
   }
 
   /// The number of the seam, on a disc on a quarter of the stretch, outside.
