@@ -127,6 +127,48 @@ void warn_of_handles(const Pattern& pattern, const Sewing& sewing, std::vector<D
   }
 }
 
+/// The cloth round one corner of the sewn garment: its angle, and the stretch that begins there.
+struct Fan {
+  int stretch = 0;
+  double angle = 0.0;
+  bool open = false;
+};
+
+std::vector<Fan> fans(const Pattern& pattern, const Sewing& sewing) {
+  std::vector<Fan> result;
+  std::vector<bool> seen(sewing.stretches.size(), false);
+  for (const OpenLoop& loop : sewing.open)
+    for (std::size_t n = 0; n < loop.stretches.size(); ++n) {
+      result.push_back({loop.stretches[n], loop.angles[n], true});
+      const int before = loop.stretches[(n + loop.stretches.size() - 1) % loop.stretches.size()];
+      for (int s = sewing.stretches[before].next; sewing.stretches[s].partner >= 0; s = sewing.stretches[sewing.stretches[s].partner].next) seen[s] = true;
+    }
+  for (std::size_t first = 0; first < sewing.stretches.size(); ++first) {
+    if (sewing.stretches[first].partner < 0 || seen[first]) continue;
+    Fan fan{static_cast<int>(first), 0.0, false};
+    for (int s = fan.stretch; !seen[s]; s = sewing.stretches[sewing.stretches[s].partner].next) {
+      seen[s] = true;
+      fan.angle += cloth_angle(pattern, sewing.stretches[s]);
+    }
+    result.push_back(fan);
+  }
+  return result;
+}
+
+/// A flat surface has 360 degrees round a point and at most that at an open edge (a slit); an underarm of straight seams may have
+/// 570, the end of a band that goes on beyond a skirt 450. More comes from a seam that runs the wrong way, or a piece for the
+/// other side of the body, as like as not.
+void warn_of_angles(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  for (const Fan& fan : fans(pattern, sewing)) {
+    if (fan.angle < (fan.open ? 480.0 : 720.0) * degree) continue;
+    const EdgePart& part = sewing.stretches[fan.stretch].part;
+    warnings.push_back({pattern.pieces[part.piece].edges[part.edge].where,
+                        fmt::format("where {} begins, {:.0f} degrees of cloth meet {}", name_of(pattern, part), fan.angle / degree, fan.open ? "at an open edge" : "round a point"),
+                        "see whether the seams there run the right way and no piece is for the other side of the body"});
+  }
+}
+
 /// Open stretches one after the other between two corners of the sewn border.
 struct OpenRun {
   EdgeChain edges;
@@ -217,6 +259,7 @@ std::vector<Diagnostic> check_seams(const Pattern& pattern, const Sewing& sewing
   for (std::size_t s = 0; s < pattern.seams.size(); ++s)
     if (pattern.seams[s].a.size() + pattern.seams[s].b.size() > 2) warn_of_chain(pattern, sewing, s, warnings);
   warn_of_handles(pattern, sewing, warnings);
+  warn_of_angles(pattern, sewing, warnings);
   warn_of_open(pattern, sewing, warnings);
   return warnings;
 }

@@ -21,7 +21,7 @@ void check_pieces(const Pattern& pattern);
 
 /// Refuses seams whose ease is not what they mean, or above `largest_ease`, and hems on sewn edges. Throws input::InputError
 /// with all of it. Returns warnings: open edges that look like a seam, stretches of a seam that do not fit, sides whose pieces no
-/// other seam joins, a sewn garment with handles.
+/// other seam joins, a sewn garment with handles, more cloth round a point than can lie there.
 std::vector<input::Diagnostic> check_seams(const Pattern& pattern, const Sewing& sewing);
 
 struct CheckedPattern {

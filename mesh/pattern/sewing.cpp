@@ -280,10 +280,13 @@ std::vector<Station> stations(const Pattern& pattern, const Seam& seam) {
   return result;
 }
 
+double cloth_angle(const Pattern& pattern, const Stretch& stretch) {
+  return stretch.part.from > 0.0 ? std::numbers::pi : corner_angle(pattern.pieces[stretch.part.piece], stretch.part.edge);
+}
+
 int next_open(const Pattern& pattern, const Sewing& sewing, int stretch, double& angle) {
   for (int s = sewing.stretches[stretch].next;; s = sewing.stretches[sewing.stretches[s].partner].next) {
-    const EdgePart& part = sewing.stretches[s].part;
-    angle += part.from > 0.0 ? std::numbers::pi : corner_angle(pattern.pieces[part.piece], part.edge);
+    angle += cloth_angle(pattern, sewing.stretches[s]);
     if (sewing.stretches[s].partner < 0) return s;
   }
 }

@@ -44,6 +44,9 @@ std::vector<Station> stations(const Pattern& pattern, const Seam& seam);
 /// Sews the pattern. Throws input::InputError when a part of an edge is sewn twice or `stations` throws.
 Sewing sew(const Pattern& pattern);
 
+/// rad, of the piece of a stretch where it begins.
+double cloth_angle(const Pattern& pattern, const Stretch& stretch);
+
 /// What follows a stretch round the corner where it ends, over the seams there: an open stretch. Adds the angles of the cloth
 /// that is passed to `angle` (rad).
 int next_open(const Pattern& pattern, const Sewing& sewing, int stretch, double& angle);

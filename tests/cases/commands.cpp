@@ -159,5 +159,24 @@ TEST_F(Program, ReferenceExplainsEveryKey) {
   EXPECT_EQ(snug("materials show N85").status, 2);
 }
 
+// A pattern is drawn and told as a table; one that is wrong is refused with its place and leaves nothing.
+TEST_F(Program, APatternIsDrawnCheckedAndGraded) {
+  const std::string tube = "title = \"Tube\"\nunit = \"1 mm\"\n[[piece]]\nname = \"p\"\nedges = [{ name = \"low\", from = [0, 0] }, { name = \"right\", from = [200, 0] }, "
+                           "{ name = \"up\", from = [200, 300] }, { name = \"left\", from = [0, 300] }]\n[[seam]]\nname = \"back\"\na = \"p.left\"\nb = \"p.right\"\n";
+  write("tube.toml", tube);
+  const Outcome drawn = snug("pattern tube.toml --out drawn --grade 1.1 0.9 --cells '20 mm' --write tube.json");
+  EXPECT_EQ(drawn.status, 0) << drawn.text;
+  for (const char* what : {"594.0     220.0     270.0", "back                         270.0     270.0    0.00  p.left to p.right", "low                          220.0 mm", "triangles (P2)"})
+    EXPECT_NE(drawn.text.find(what), std::string::npos) << what << "\n" << drawn.text;
+  EXPECT_TRUE(fs::exists(folder_ / "drawn/tube.svg"));
+  EXPECT_EQ(snug("pattern tube.json --out again").status, 0);
+  write("wrong.toml", tube + "[[seam]]\na = \"p.lfet\"\nb = \"p.up\"\n");
+  const Outcome wrong = snug("pattern wrong.toml --out wrong");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.text.find("wrong.toml:10:1: error: the piece p has no edge \"lfet\"; did you mean left?"), std::string::npos) << wrong.text;
+  EXPECT_FALSE(fs::exists(folder_ / "wrong"));
+  EXPECT_EQ(snug("pattern tube.toml --write tube.pdf").status, 2);
+}
+
 }  // namespace
 }  // namespace snug

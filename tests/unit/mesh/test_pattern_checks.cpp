@@ -40,6 +40,20 @@ TEST(PatternChecks, AnOutlineThatTouchesItselfIsRefused) {
   EXPECT_THAT(corner, AllOf(HasSubstr("(0.0, 150.0) mm"), HasSubstr("right")));
 }
 
+/// A cut without width is a border that touches itself along a whole edge: a ring that is slit open.
+TEST(PatternChecks, ACutWithoutWidthIsRefused) {
+  const std::string slit = R"(unit = "1 cm"
+[[piece]]
+name = "skirt"
+edges = [
+  { name = "hem_1", kind = "arc", from = [70, 0], through = [[0, 70]] }, { name = "hem_2", kind = "arc", from = [-70, 0], through = [[0, -70]] },
+  { name = "slit_a", from = [70, 0] }, { name = "waist_2", kind = "arc", from = [15, 0], through = [[0, -15]] },
+  { name = "waist_1", kind = "arc", from = [-15, 0], through = [[0, 15]] }, { name = "slit_b", from = [15, 0] },
+]
+)";
+  EXPECT_THAT(refusal([&] { checked_toml(slit); }), HasSubstr("slit_a and slit_b cross or touch"));
+}
+
 TEST(PatternChecks, APieceInsideOutIsRefusedByItsName) {
   const std::string clockwise = R"(unit = "1 mm"
 [[piece]]

@@ -171,6 +171,40 @@ TEST(PatternSewing, AHemNamesALoopOrAPartOfOne) {
   EXPECT_EQ(part.sewing.open[1].stretches.size(), 4u);
 }
 
+/// A sleeve that is drawn for the other arm: its seams run from the neck to the underarm on one side and back on the other.
+TEST(PatternSewing, ASleeveOfTheOtherArmIsWarnedOf) {
+  const std::string raglan = R"(unit = "1 cm"
+[[piece]]
+name = "front"
+edges = [{ name = "hem", from = [-25, 0] }, { name = "side_l", from = [25, 0] }, { name = "raglan_l", from = [25, 35] }, { name = "neck", from = [9, 56] }, { name = "raglan_r", from = [-9, 56] }, { name = "side_r", from = [-25, 35] }]
+[[piece]]
+name = "back"
+edges = [{ name = "hem", from = [-25, 0] }, { name = "side_r", from = [25, 0] }, { name = "raglan_r", from = [25, 35] }, { name = "neck", from = [9, 56] }, { name = "raglan_l", from = [-9, 56] }, { name = "side_l", from = [-25, 35] }]
+[[piece]]
+name = "left"
+edges = [{ name = "cuff", from = [-14, -20] }, { name = "under_b", from = [14, -20] }, { name = "back", from = [18, 10] }, { name = "top", from = [4, 32] }, { name = "front", from = [-4, 32] }, { name = "under_f", from = [-18, 10] }]
+[[piece]]
+name = "right"
+mirror_of = "left"
+)";
+  std::string seams;
+  for (const char* seam : {"front.side_l=back.side_l", "front.side_r=back.side_r", "front.raglan_l=left.front", "back.raglan_l=left.back", "front.raglan_r=right.front", "back.raglan_r=right.back",
+                           "left.under_f=left.under_b", "right.under_f=right.under_b"}) {
+    const std::string both = seam;
+    seams += "[[seam]]\na = \"" + both.substr(0, both.find('=')) + "\"\nb = \"" + both.substr(both.find('=') + 1) + "\"\n";
+  }
+  const CheckedPattern right = checked_toml(raglan + seams);
+  EXPECT_TRUE(right.warnings.empty());
+  EXPECT_EQ(right.sewing.open.size(), 4u);  // hem, neck, two cuffs
+  std::string other = raglan;  // the left sleeve with front and back exchanged
+  for (const auto& [what, by] : {std::pair("\"under_b\", from = [14", "\"under_f\", from = [14"), std::pair("\"back\", from = [18", "\"front\", from = [18"),
+                                 std::pair("\"front\", from = [-4", "\"back\", from = [-4"), std::pair("\"under_f\", from = [-18", "\"under_b\", from = [-18")})
+    other = with(other, what, by);
+  const CheckedPattern wrong = checked_toml(other + seams);
+  ASSERT_FALSE(wrong.warnings.empty());
+  EXPECT_THAT(to_string(wrong.warnings[0]), HasSubstr("degrees of cloth meet at an open edge"));
+}
+
 TEST(PatternSewing, GradingStretchesAcrossAndAlong) {
   const Pattern pattern = parse_toml_pattern(cone, "t"), larger = graded(pattern, 1.1, 0.9);
   EXPECT_NEAR(area(larger.pieces[0]), 0.99 * area(pattern.pieces[0]), 1e-15);
