@@ -21,8 +21,9 @@ using input::Diagnostics;
 void check_notches(const Piece& piece, Diagnostics& diagnostics) {
   for (const Notch& notch : piece.notches)
     if (!(notch.share >= 0.0 && notch.share <= 1.0))
-      diagnostics.error(notch.where, fmt::format("the notch {} of {} stands off the edge {}, at {:.4g} of its length", notch.name, piece.name,
-                                                 piece.edges[notch.edge].name, notch.share),
+      diagnostics.error(notch.where,
+                        fmt::format("the notch {} of {} stands off the edge {}, at {:.4g} of its length", notch.name,
+                                    piece.name, piece.edges[notch.edge].name, notch.share),
                         "write a share of the edge's length from 0 to 1");
 }
 
@@ -31,7 +32,8 @@ void check_fabrics(const Pattern& pattern, Diagnostics& diagnostics) {
   if (pattern.fabric || std::none_of(pattern.pieces.begin(), pattern.pieces.end(), has)) return;
   for (const Piece& piece : pattern.pieces)
     if (!has(piece))
-      diagnostics.error(piece.where, fmt::format("the piece {} has no fabric, others have one of their own", piece.name),
+      diagnostics.error(piece.where,
+                        fmt::format("the piece {} has no fabric, others have one of their own", piece.name),
                         "give it a fabric, or the whole pattern one that holds where a piece says nothing");
 }
 
@@ -39,12 +41,18 @@ std::string millimetres(double length) { return fmt::format("{:.1f} mm", 1e3 * l
 
 void check_ease(const Pattern& pattern, const Seam& seam, Diagnostics& diagnostics) {
   const double a = length(pattern, seam.a), b = length(pattern, seam.b), found = ease(a, b);
-  const std::string sides = fmt::format("{} ({}) and {} ({})", name_of(pattern, seam.a), millimetres(a), name_of(pattern, seam.b), millimetres(b));
+  const std::string sides = fmt::format("{} ({}) and {} ({})", name_of(pattern, seam.a), millimetres(a),
+                                        name_of(pattern, seam.b), millimetres(b));
   if (!seam.ease && found > largest_ease)
-    diagnostics.error(seam.where, fmt::format("the seam {} has an ease of {:.1f} %: {}", seam.name, 100.0 * found, sides),
-                      fmt::format("let its sides differ by at most {:.0f} %, or write the ease where it is meant (gathers): ease = {:.2f}", 100.0 * largest_ease, found));
+    diagnostics.error(
+        seam.where, fmt::format("the seam {} has an ease of {:.1f} %: {}", seam.name, 100.0 * found, sides),
+        fmt::format(
+            "let its sides differ by at most {:.0f} %, or write the ease where it is meant (gathers): ease = {:.2f}",
+            100.0 * largest_ease, found));
   if (seam.ease && std::abs(found - *seam.ease) > 0.01)
-    diagnostics.error(seam.where, fmt::format("the seam {} means an ease of {:.1f} % and has {:.1f} %: {}", seam.name, 100.0 * *seam.ease, 100.0 * found, sides),
+    diagnostics.error(seam.where,
+                      fmt::format("the seam {} means an ease of {:.1f} % and has {:.1f} %: {}", seam.name,
+                                  100.0 * *seam.ease, 100.0 * found, sides),
                       "correct the sides or the ease");
 }
 
@@ -55,7 +63,9 @@ void check_hems(const Pattern& pattern, const Sewing& sewing, Diagnostics& diagn
         const bool of_it = stretch.part.piece == part.piece && stretch.part.edge == part.edge;
         const double shared = std::min(stretch.part.to, part.to) - std::max(stretch.part.from, part.from);
         if (!of_it || stretch.seam < 0 || shared < 1e-6) continue;
-        diagnostics.error(hem.where, fmt::format("the hem {} names {}, which the seam {} sews", hem.name, name_of(pattern, part), pattern.seams[stretch.seam].name),
+        diagnostics.error(hem.where,
+                          fmt::format("the hem {} names {}, which the seam {} sews", hem.name, name_of(pattern, part),
+                                      pattern.seams[stretch.seam].name),
                           "a hem is of edges that stay open");
         break;
       }
@@ -69,11 +79,14 @@ void warn_of_stretches(const Pattern& pattern, const Sewing& sewing, std::vector
     const Stretch& other = sewing.stretches[one.partner];
     const Seam& seam = pattern.seams[one.seam];
     const double allowed = std::max(largest_ease, seam.ease.value_or(0.0) + 0.05);
-    if (ease(one.length, other.length) <= allowed || std::max(one.length, other.length) < 0.02 || !said.insert(one.seam).second) continue;
-    warnings.push_back({seam.where,
-                        fmt::format("in the seam {} the stretch {} ({}) meets {} ({})", seam.name, name_of(pattern, one.part), millimetres(one.length),
-                                    name_of(pattern, other.part), millimetres(other.length)),
-                        "see its notches, the order of its edges, and whether a piece is inside out"});
+    if (ease(one.length, other.length) <= allowed || std::max(one.length, other.length) < 0.02 ||
+        !said.insert(one.seam).second)
+      continue;
+    warnings.push_back(
+        {seam.where,
+         fmt::format("in the seam {} the stretch {} ({}) meets {} ({})", seam.name, name_of(pattern, one.part),
+                     millimetres(one.length), name_of(pattern, other.part), millimetres(other.length)),
+         "see its notches, the order of its edges, and whether a piece is inside out"});
   }
 }
 
@@ -87,7 +100,8 @@ void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t sea
     }
   const auto corner = [&](const EdgePart& part, bool end) {
     for (const Stretch& s : sewing.stretches)
-      if (s.part.piece == part.piece && s.part.edge == part.edge && std::abs(end ? s.part.to - part.to : s.part.from - part.from) < 1e-6)
+      if (s.part.piece == part.piece && s.part.edge == part.edge &&
+          std::abs(end ? s.part.to - part.to : s.part.from - part.from) < 1e-6)
         return others.find(end ? s.end : s.begin);
     return -1;
   };
@@ -95,22 +109,26 @@ void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t sea
     for (std::size_t n = 1; n < side->size(); ++n) {
       const EdgePart &one = (*side)[n - 1], &next = (*side)[n];
       if (corner(one, true) == corner(next, false)) continue;
-      const auto follows = std::find_if(side->begin(), side->end(), [&](const EdgePart& other) { return corner(other, false) == corner(one, true); });
-      warnings.push_back({pattern.seams[seam].where,
-                          fmt::format("in the seam {} the edge {} does not end where {} begins, and no other seam joins them{}", pattern.seams[seam].name,
-                                      name_of(pattern, one), name_of(pattern, next), follows != side->end() ? "; " + name_of(pattern, *follows) + " begins there" : ""),
-                          "write the edges of a side in their order, each in the direction of its outline"});
+      const auto follows = std::find_if(
+          side->begin(), side->end(), [&](const EdgePart& other) { return corner(other, false) == corner(one, true); });
+      warnings.push_back(
+          {pattern.seams[seam].where,
+           fmt::format("in the seam {} the edge {} does not end where {} begins, and no other seam joins them{}",
+                       pattern.seams[seam].name, name_of(pattern, one), name_of(pattern, next),
+                       follows != side->end() ? "; " + name_of(pattern, *follows) + " begins there" : ""),
+           "write the edges of a side in their order, each in the direction of its outline"});
     }
 }
 
-/// Garments are spheres with open edges. Handles, (2 - open edges - Euler's number) / 2 of them, come from seams that run the
-/// wrong way or stand in the wrong order, as like as not.
+/// Garments are spheres with open edges. Handles, (2 - open edges - Euler's number) / 2 of them, come from seams that
+/// run the wrong way or stand in the wrong order, as like as not.
 void warn_of_handles(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
   UnionFind parts(pattern.pieces.size());
   for (const Stretch& s : sewing.stretches)
     if (s.partner >= 0) parts.merge(s.part.piece, sewing.stretches[s.partner].part.piece);
   std::map<int, int> euler, open;
-  for (std::size_t p = 0; p < pattern.pieces.size(); ++p) euler[parts.find(static_cast<int>(p))] += 2 - static_cast<int>(pattern.pieces[p].loops.size());
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    euler[parts.find(static_cast<int>(p))] += 2 - static_cast<int>(pattern.pieces[p].loops.size());
   std::set<int> corners;
   for (std::size_t s = 0; s < sewing.stretches.size(); ++s) {
     const int part = parts.find(sewing.stretches[s].part.piece);
@@ -122,8 +140,11 @@ void warn_of_handles(const Pattern& pattern, const Sewing& sewing, std::vector<D
     const int handles = (2 - open[part] - number) / 2;
     if (handles < 1) continue;
     const Piece& piece = pattern.pieces[part];
-    warnings.push_back({piece.where, fmt::format("sewn together, {} and what hangs on it has {} handle{}, which garments have where straps cross", piece.name, handles, handles > 1 ? "s" : ""),
-                        "see whether a seam runs the wrong way or names its edges in the wrong order"});
+    warnings.push_back(
+        {piece.where,
+         fmt::format("sewn together, {} and what hangs on it has {} handle{}, which garments have where straps cross",
+                     piece.name, handles, handles > 1 ? "s" : ""),
+         "see whether a seam runs the wrong way or names its edges in the wrong order"});
   }
 }
 
@@ -141,7 +162,9 @@ std::vector<Fan> fans(const Pattern& pattern, const Sewing& sewing) {
     for (std::size_t n = 0; n < loop.stretches.size(); ++n) {
       result.push_back({loop.stretches[n], loop.angles[n], true});
       const int before = loop.stretches[(n + loop.stretches.size() - 1) % loop.stretches.size()];
-      for (int s = sewing.stretches[before].next; sewing.stretches[s].partner >= 0; s = sewing.stretches[sewing.stretches[s].partner].next) seen[s] = true;
+      for (int s = sewing.stretches[before].next; sewing.stretches[s].partner >= 0;
+           s = sewing.stretches[sewing.stretches[s].partner].next)
+        seen[s] = true;
     }
   for (std::size_t first = 0; first < sewing.stretches.size(); ++first) {
     if (sewing.stretches[first].partner < 0 || seen[first]) continue;
@@ -155,17 +178,19 @@ std::vector<Fan> fans(const Pattern& pattern, const Sewing& sewing) {
   return result;
 }
 
-/// A flat surface has 360 degrees round a point and at most that at an open edge (a slit); an underarm of straight seams may have
-/// 570, the end of a band that goes on beyond a skirt 450. More comes from a seam that runs the wrong way, or a piece for the
-/// other side of the body, as like as not.
+/// A flat surface has 360 degrees round a point and at most that at an open edge (a slit); an underarm of straight
+/// seams may have 570, the end of a band that goes on beyond a skirt 450. More comes from a seam that runs the wrong
+/// way, or a piece for the other side of the body, as like as not.
 void warn_of_angles(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
   constexpr double degree = std::numbers::pi / 180.0;
   for (const Fan& fan : fans(pattern, sewing)) {
     if (fan.angle < (fan.open ? 480.0 : 720.0) * degree) continue;
     const EdgePart& part = sewing.stretches[fan.stretch].part;
-    warnings.push_back({pattern.pieces[part.piece].edges[part.edge].where,
-                        fmt::format("where {} begins, {:.0f} degrees of cloth meet {}", name_of(pattern, part), fan.angle / degree, fan.open ? "at an open edge" : "round a point"),
-                        "see whether the seams there run the right way and no piece is for the other side of the body"});
+    warnings.push_back(
+        {pattern.pieces[part.piece].edges[part.edge].where,
+         fmt::format("where {} begins, {:.0f} degrees of cloth meet {}", name_of(pattern, part), fan.angle / degree,
+                     fan.open ? "at an open edge" : "round a point"),
+         "see whether the seams there run the right way and no piece is for the other side of the body"});
   }
 }
 
@@ -198,13 +223,17 @@ bool is_hem(const Pattern& pattern, const OpenRun& run) {
   const auto named = [&](const EdgePart& part) {
     for (const Hem& hem : pattern.hems)
       for (const EdgePart& one : hem.edges)
-        if (one.piece == part.piece && one.edge == part.edge && one.from <= part.from + 1e-6 && one.to >= part.to - 1e-6) return true;
+        if (one.piece == part.piece && one.edge == part.edge && one.from <= part.from + 1e-6 &&
+            one.to >= part.to - 1e-6)
+          return true;
     return false;
   };
-  return !std::all_of(run.edges.begin(), run.edges.end(), of_one_piece) || std::all_of(run.edges.begin(), run.edges.end(), named);
+  return !std::all_of(run.edges.begin(), run.edges.end(), of_one_piece) ||
+         std::all_of(run.edges.begin(), run.edges.end(), named);
 }
 
-/// Hems run smoothly over seams. Two open runs of one length between sharp corners were meant to be sewn, as like as not.
+/// Hems run smoothly over seams. Two open runs of one length between sharp corners were meant to be sewn, as like as
+/// not.
 void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
   if (pattern.seams.empty()) return;  // a file of pieces alone
   std::vector<OpenRun> runs;
@@ -218,8 +247,9 @@ void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diag
       said[i] = said[j] = true;
       const EdgePart& first = runs[i].edges.front();
       warnings.push_back({pattern.pieces[first.piece].edges[first.edge].where,
-                          fmt::format("{} ({}) and {} ({}) stay open between corners and are as long as each other", name_of(pattern, runs[i].edges),
-                                      millimetres(runs[i].length), name_of(pattern, runs[j].edges), millimetres(runs[j].length)),
+                          fmt::format("{} ({}) and {} ({}) stay open between corners and are as long as each other",
+                                      name_of(pattern, runs[i].edges), millimetres(runs[i].length),
+                                      name_of(pattern, runs[j].edges), millimetres(runs[j].length)),
                           "they look like a seam: name it, or leave it where both are hems"});
     }
 }
@@ -229,17 +259,20 @@ void warn_of_open(const Pattern& pattern, const Sewing& sewing, std::vector<Diag
 void check_names(const Pattern& pattern, Diagnostics& diagnostics) {
   std::set<std::string> pieces;
   for (const Piece& piece : pattern.pieces) {
-    if (!pieces.insert(piece.name).second) diagnostics.error(piece.where, "a second piece has the name " + piece.name, "give it a name of its own");
+    if (!pieces.insert(piece.name).second)
+      diagnostics.error(piece.where, "a second piece has the name " + piece.name, "give it a name of its own");
     std::set<std::string> edges;
     for (const PieceEdge& edge : piece.edges)
       if (!edges.insert(edge.name).second)
-        diagnostics.error(edge.where, fmt::format("a second edge of {} has the name {}", piece.name, edge.name), "give it a name of its own");
+        diagnostics.error(edge.where, fmt::format("a second edge of {} has the name {}", piece.name, edge.name),
+                          "give it a name of its own");
   }
 }
 
 void check_pieces(const Pattern& pattern) {
   Diagnostics diagnostics;
-  if (pattern.pieces.empty()) diagnostics.error({.file = pattern.file}, "the pattern has no piece", "give it at least one");
+  if (pattern.pieces.empty())
+    diagnostics.error({.file = pattern.file}, "the pattern has no piece", "give it at least one");
   check_names(pattern, diagnostics);
   check_fabrics(pattern, diagnostics);
   for (const Piece& piece : pattern.pieces) {

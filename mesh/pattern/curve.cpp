@@ -22,41 +22,62 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Span reversed(const Span& span) {
-  return std::visit(Overloaded{[](const Line& s) -> Span { return Line{s.to, s.from}; },
-                               [](const Quadratic& s) -> Span { return Quadratic{s.to, s.control, s.from}; },
-                               [](const Cubic& s) -> Span { return Cubic{s.to, s.second, s.first, s.from}; },
-                               [](const Arc& s) -> Span { return Arc{s.centre, s.u, s.v, s.to, s.from}; }},
+  return std::visit(Overloaded{[](const Line& s) -> Span {
+                                 return Line{s.to, s.from};
+                               },
+                               [](const Quadratic& s) -> Span {
+                                 return Quadratic{s.to, s.control, s.from};
+                               },
+                               [](const Cubic& s) -> Span {
+                                 return Cubic{s.to, s.second, s.first, s.from};
+                               },
+                               [](const Arc& s) -> Span {
+                                 return Arc{s.centre, s.u, s.v, s.to, s.from};
+                               }},
                     span);
 }
 
 Span mapped(const Span& span, const Eigen::Affine2d& map) {
-  return std::visit(
-      Overloaded{[&](const Line& s) -> Span { return Line{map * s.from, map * s.to}; },
-                 [&](const Quadratic& s) -> Span { return Quadratic{map * s.from, map * s.control, map * s.to}; },
-                 [&](const Cubic& s) -> Span { return Cubic{map * s.from, map * s.first, map * s.second, map * s.to}; },
-                 [&](const Arc& s) -> Span { return Arc{map * s.centre, map.linear() * s.u, map.linear() * s.v, s.from, s.to}; }},
-      span);
+  return std::visit(Overloaded{[&](const Line& s) -> Span {
+                                 return Line{map * s.from, map * s.to};
+                               },
+                               [&](const Quadratic& s) -> Span {
+                                 return Quadratic{map * s.from, map * s.control, map * s.to};
+                               },
+                               [&](const Cubic& s) -> Span {
+                                 return Cubic{map * s.from, map * s.first, map * s.second, map * s.to};
+                               },
+                               [&](const Arc& s) -> Span {
+                                 return Arc{map * s.centre, map.linear() * s.u, map.linear() * s.v, s.from, s.to};
+                               }},
+                    span);
 }
 
 /// The span between two parameters: control points by the blossom of its polynomial.
 Span part(const Span& span, double a, double b) {
   const auto mix = [](const Vector2d& p, const Vector2d& q, double t) -> Vector2d { return (1.0 - t) * p + t * q; };
-  return std::visit(Overloaded{[&](const Line& s) -> Span { return Line{mix(s.from, s.to, a), mix(s.from, s.to, b)}; },
-                               [&](const Quadratic& s) -> Span {
-                                 const auto blossom = [&](double t, double u) { return mix(mix(s.from, s.control, t), mix(s.control, s.to, t), u); };
-                                 return Quadratic{blossom(a, a), blossom(a, b), blossom(b, b)};
-                               },
-                               [&](const Cubic& s) -> Span {
-                                 const auto blossom = [&](double t, double u, double v) {
-                                   const Vector2d p = mix(s.from, s.first, t), q = mix(s.first, s.second, t), r = mix(s.second, s.to, t);
-                                   return mix(mix(p, q, u), mix(q, r, u), v);
-                                 };
-                                 return Cubic{blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)};
-                               },
-                               [&](const Arc& s) -> Span {
-                                 return Arc{s.centre, s.u, s.v, s.from + a * (s.to - s.from), s.from + b * (s.to - s.from)};
-                               }},
-                    span);
+  return std::visit(
+      Overloaded{[&](const Line& s) -> Span {
+                   return Line{mix(s.from, s.to, a), mix(s.from, s.to, b)};
+                 },
+                 [&](const Quadratic& s) -> Span {
+                   const auto blossom = [&](double t, double u) {
+                     return mix(mix(s.from, s.control, t), mix(s.control, s.to, t), u);
+                   };
+                   return Quadratic{blossom(a, a), blossom(a, b), blossom(b, b)};
+                 },
+                 [&](const Cubic& s) -> Span {
+                   const auto blossom = [&](double t, double u, double v) {
+                     const Vector2d p = mix(s.from, s.first, t), q = mix(s.first, s.second, t),
+                                    r = mix(s.second, s.to, t);
+                     return mix(mix(p, q, u), mix(q, r, u), v);
+                   };
+                   return Cubic{blossom(a, a, a), blossom(a, a, b), blossom(a, b, b), blossom(b, b, b)};
+                 },
+                 [&](const Arc& s) -> Span {
+                   return Arc{s.centre, s.u, s.v, s.from + a * (s.to - s.from), s.from + b * (s.to - s.from)};
+                 }},
+      span);
 }
 
 /// Gauss's rule on [-1, 1], exact to degree 15.
@@ -69,7 +90,8 @@ template <class Integrand>
 double integral(double from, double to, const Integrand& integrand) {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = 0.0;
-  for (int q = 0; q < rule().weights.size(); ++q) sum += half * rule().weights[q] * integrand(middle + half * rule().points(0, q));
+  for (int q = 0; q < rule().weights.size(); ++q)
+    sum += half * rule().weights[q] * integrand(middle + half * rule().points(0, q));
   return sum;
 }
 
@@ -111,11 +133,14 @@ Span arc_through(const Vector2d& from, const Vector2d& through, const Vector2d& 
   const Vector2d p = through - from, q = to - from;
   const double twice = 2.0 * cross(p, q);
   if (std::abs(twice) <= 1e-9 * p.norm() * q.norm()) return Line{from, to};
-  const Vector2d offset = Vector2d(q.y() * p.squaredNorm() - p.y() * q.squaredNorm(), p.x() * q.squaredNorm() - q.x() * p.squaredNorm()) / twice;
+  const Vector2d offset =
+      Vector2d(q.y() * p.squaredNorm() - p.y() * q.squaredNorm(), p.x() * q.squaredNorm() - q.x() * p.squaredNorm()) /
+      twice;
   const Vector2d centre = from + offset, start = from - centre, end = to - centre;
   const double radius = start.norm(), full = 2.0 * std::numbers::pi;
   const double first = std::atan2(start.y(), start.x());
-  double turn = std::atan2(end.y(), end.x()) - first;  // counter-clockwise when the point stands on the right of the chord
+  double turn =
+      std::atan2(end.y(), end.x()) - first;  // counter-clockwise when the point stands on the right of the chord
   if (twice < 0.0 && turn > 0.0) turn -= full;
   if (twice > 0.0 && turn < 0.0) turn += full;
   return Arc{centre, Vector2d(radius, 0.0), Vector2d(0.0, radius), first, first + turn};
@@ -138,30 +163,32 @@ Span arc_of_radius(const Vector2d& from, const Vector2d& to, double radius, bool
 Vector2d at(const Span& span, double t) {
   const double s = 1.0 - t;
   return std::visit(
-      Overloaded{[&](const Line& p) -> Vector2d { return s * p.from + t * p.to; },
-                 [&](const Quadratic& p) -> Vector2d { return s * s * p.from + 2.0 * s * t * p.control + t * t * p.to; },
-                 [&](const Cubic& p) -> Vector2d {
-                   return s * s * s * p.from + 3.0 * s * t * (s * p.first + t * p.second) + t * t * t * p.to;
-                 },
-                 [&](const Arc& p) -> Vector2d {
-                   const double angle = s * p.from + t * p.to;
-                   return p.centre + std::cos(angle) * p.u + std::sin(angle) * p.v;
-                 }},
+      Overloaded{
+          [&](const Line& p) -> Vector2d { return s * p.from + t * p.to; },
+          [&](const Quadratic& p) -> Vector2d { return s * s * p.from + 2.0 * s * t * p.control + t * t * p.to; },
+          [&](const Cubic& p) -> Vector2d {
+            return s * s * s * p.from + 3.0 * s * t * (s * p.first + t * p.second) + t * t * t * p.to;
+          },
+          [&](const Arc& p) -> Vector2d {
+            const double angle = s * p.from + t * p.to;
+            return p.centre + std::cos(angle) * p.u + std::sin(angle) * p.v;
+          }},
       span);
 }
 
 Vector2d derivative(const Span& span, double t) {
   const double s = 1.0 - t;
   return std::visit(
-      Overloaded{[&](const Line& p) -> Vector2d { return p.to - p.from; },
-                 [&](const Quadratic& p) -> Vector2d { return 2.0 * (s * (p.control - p.from) + t * (p.to - p.control)); },
-                 [&](const Cubic& p) -> Vector2d {
-                   return 3.0 * (s * s * (p.first - p.from) + 2.0 * s * t * (p.second - p.first) + t * t * (p.to - p.second));
-                 },
-                 [&](const Arc& p) -> Vector2d {
-                   const double angle = s * p.from + t * p.to;
-                   return (p.to - p.from) * (std::cos(angle) * p.v - std::sin(angle) * p.u);
-                 }},
+      Overloaded{
+          [&](const Line& p) -> Vector2d { return p.to - p.from; },
+          [&](const Quadratic& p) -> Vector2d { return 2.0 * (s * (p.control - p.from) + t * (p.to - p.control)); },
+          [&](const Cubic& p) -> Vector2d {
+            return 3.0 * (s * s * (p.first - p.from) + 2.0 * s * t * (p.second - p.first) + t * t * (p.to - p.second));
+          },
+          [&](const Arc& p) -> Vector2d {
+            const double angle = s * p.from + t * p.to;
+            return (p.to - p.from) * (std::cos(angle) * p.v - std::sin(angle) * p.u);
+          }},
       span);
 }
 
@@ -169,7 +196,9 @@ Vector2d Curve::first_direction() const {
   return unit_or(derivative(spans.front(), 0.0), at(spans.front(), 0.01) - begin());
 }
 
-Vector2d Curve::last_direction() const { return unit_or(derivative(spans.back(), 1.0), end() - at(spans.back(), 0.99)); }
+Vector2d Curve::last_direction() const {
+  return unit_or(derivative(spans.back(), 1.0), end() - at(spans.back(), 0.99));
+}
 
 Curve reversed(const Curve& curve) {
   Curve result;
@@ -191,11 +220,14 @@ std::vector<Span> without_arcs(const Curve& curve) {
       result.push_back(span);
       continue;
     }
-    const int count = std::max(1, static_cast<int>(std::ceil(std::abs(arc->to - arc->from) / (std::numbers::pi / 8.0) - 1e-9)));
+    const int count =
+        std::max(1, static_cast<int>(std::ceil(std::abs(arc->to - arc->from) / (std::numbers::pi / 8.0) - 1e-9)));
     for (int n = 0; n < count; ++n) {
       const double from = static_cast<double>(n) / count, to = static_cast<double>(n + 1) / count;
-      // The control points of a circle's arc of angle a stand 4/3 tan(a/4) radii from its ends; an affine map keeps them.
-      const double angle = (arc->to - arc->from) / count, reach = 4.0 / 3.0 * std::tan(angle / 4.0) / (arc->to - arc->from);
+      // The control points of a circle's arc of angle a stand 4/3 tan(a/4) radii from its ends; an affine map keeps
+      // them.
+      const double angle = (arc->to - arc->from) / count,
+                   reach = 4.0 / 3.0 * std::tan(angle / 4.0) / (arc->to - arc->from);
       const Vector2d a = at(span, from), b = at(span, to);
       result.push_back(Cubic{a, a + reach * derivative(span, from), b - reach * derivative(span, to), b});
     }
@@ -229,7 +261,8 @@ ArcLength::ArcLength(const Curve& curve) : curve_(curve) {
   for (std::size_t s = 0; s < curve.spans.size(); ++s) {
     const int panels = panel_count(curve.spans[s]);
     for (int n = 0; n < panels; ++n) {
-      Panel panel{static_cast<int>(s), static_cast<double>(n) / panels, static_cast<double>(n + 1) / panels, length, length};
+      Panel panel{static_cast<int>(s), static_cast<double>(n) / panels, static_cast<double>(n + 1) / panels, length,
+                  length};
       panel.after += length_between(curve.spans[s], panel.from, panel.to);
       length = panel.after;
       panels_.push_back(panel);
@@ -238,7 +271,8 @@ ArcLength::ArcLength(const Curve& curve) : curve_(curve) {
 }
 
 const ArcLength::Panel& ArcLength::panel_at(double length) const {
-  const auto found = std::lower_bound(panels_.begin(), panels_.end(), length, [](const Panel& p, double l) { return p.after < l; });
+  const auto found =
+      std::lower_bound(panels_.begin(), panels_.end(), length, [](const Panel& p, double l) { return p.after < l; });
   return found == panels_.end() ? panels_.back() : *found;
 }
 

@@ -20,8 +20,8 @@ struct Quadratic {
 struct Cubic {
   Eigen::Vector2d from, first, second, to;
 };
-/// centre + u cos(angle) + v sin(angle). A circle has u and v of one length and at a right angle; an affine map, which grading
-/// is, makes an ellipse of it.
+/// centre + u cos(angle) + v sin(angle). A circle has u and v of one length and at a right angle; an affine map, which
+/// grading is, makes an ellipse of it.
 struct Arc {
   Eigen::Vector2d centre, u, v;
   double from = 0.0, to = 0.0;  ///< rad
@@ -31,8 +31,8 @@ using Span = std::variant<Line, Quadratic, Cubic, Arc>;
 
 /// The circle's arc from one point to another through a third; a line where the three stand in one.
 Span arc_through(const Eigen::Vector2d& from, const Eigen::Vector2d& through, const Eigen::Vector2d& to);
-/// The arc of a circle of this radius (m; at least half the chord): `large`: more than half a turn; `left`: it turns left,
-/// counter-clockwise, on its way.
+/// The arc of a circle of this radius (m; at least half the chord): `large`: more than half a turn; `left`: it turns
+/// left, counter-clockwise, on its way.
 Span arc_of_radius(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius, bool large, bool left);
 
 /// At t in [0, 1].
@@ -55,15 +55,15 @@ Curve reversed(const Curve& curve);
 /// Its image; exact, whatever the map.
 Curve mapped(const Curve& curve, const Eigen::Affine2d& map);
 
-/// Spans that formats without arcs know: an arc becomes cubic Bezier curves of a sixteenth of a turn at most, which are off by
-/// 7e-8 of its half-axes.
+/// Spans that formats without arcs know: an arc becomes cubic Bezier curves of a sixteenth of a turn at most, which are
+/// off by 7e-8 of its half-axes.
 std::vector<Span> without_arcs(const Curve& curve);
 
 /// Points on the curve, both ends among them, between which it stays within `tolerance` (m) of its chords.
 std::vector<Eigen::Vector2d> flattened(const Curve& curve, double tolerance);
 
-/// The part of the plane on the left of the curve, counted from the origin: half the integral of x dy - y dx, m2. The sum over
-/// a closed outline is its area, positive when it runs counter-clockwise.
+/// The part of the plane on the left of the curve, counted from the origin: half the integral of x dy - y dx, m2. The
+/// sum over a closed outline is its area, positive when it runs counter-clockwise.
 double swept_area(const Curve& curve);
 
 /// Arc length along a curve and its inverse, by Gauss's rule on panels; round-off for what has no cusps.
@@ -82,7 +82,7 @@ class ArcLength {
  private:
   struct Panel {
     int span = 0;
-    double from = 0.0, to = 0.0;  // of the span's parameter
+    double from = 0.0, to = 0.0;       // of the span's parameter
     double before = 0.0, after = 0.0;  // m, along the curve
   };
   const Panel& panel_at(double length) const;

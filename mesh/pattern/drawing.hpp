@@ -8,9 +8,10 @@
 
 namespace snug::mesh {
 
-/// An SVG of the pieces side by side, in millimetres at full size: outlines with names and lengths, seams in one colour and
-/// number on both sides, notches, grain, inner lines, and a list of seams and open edges with lengths and ease. A mesh is drawn
-/// into the pieces where there is one. `read_pattern` reads the outlines again: paths of class "outline", by piece.
+/// An SVG of the pieces side by side, in millimetres at full size: outlines with names and lengths, seams in one colour
+/// and number on both sides, notches, grain, inner lines, and a list of seams and open edges with lengths and ease. A
+/// mesh is drawn into the pieces where there is one. `read_pattern` reads the outlines again: paths of class "outline",
+/// by piece.
 std::string drawing_svg(const CheckedPattern& checked, const SewnMesh* mesh = nullptr);
 
 }  // namespace snug::mesh

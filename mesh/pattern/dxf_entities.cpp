@@ -18,7 +18,9 @@ class CountedLines : public std::streambuf {
   int lines() const { return lines_; }
 
  protected:
-  int_type underflow() override { return at_ < text_.size() ? traits_type::to_int_type(text_[at_]) : traits_type::eof(); }
+  int_type underflow() override {
+    return at_ < text_.size() ? traits_type::to_int_type(text_[at_]) : traits_type::eof();
+  }
   int_type uflow() override {
     if (at_ >= text_.size()) return traits_type::eof();
     lines_ += text_[at_] == '\n';
@@ -53,7 +55,8 @@ class Collector : public DL_CreationAdapter {
   void endSequence() override { drawing_ = false; }
   void addLine(const DL_LineData& data) override {
     drawing_ = false;
-    if (in_block_) block().paths.push_back({layer(), {{data.x1, data.y1}, {data.x2, data.y2}}, {0.0, 0.0}, false, lines_.lines()});
+    if (in_block_)
+      block().paths.push_back({layer(), {{data.x1, data.y1}, {data.x2, data.y2}}, {0.0, 0.0}, false, lines_.lines()});
   }
   void addPoint(const DL_PointData& data) override {
     drawing_ = false;
@@ -89,9 +92,11 @@ DxfFile read_dxf(const std::string& text, const std::string& shown_as) {
   Collector collector(lines);
   DL_Dxf reader;
   const std::string remedy = "take a DXF text file as pattern programs write for AAMA or ASTM";
-  if (text.find("SECTION") == std::string::npos) throw input::InputError({.file = shown_as}, "no section of a DXF file", remedy);
+  if (text.find("SECTION") == std::string::npos)
+    throw input::InputError({.file = shown_as}, "no section of a DXF file", remedy);
   if (!reader.in(stream, &collector)) throw input::InputError({.file = shown_as}, "no DXF text", remedy);
-  std::erase_if(collector.file.blocks, [](const DxfBlock& block) { return block.name.empty() || block.name[0] == '*'; });
+  std::erase_if(collector.file.blocks,
+                [](const DxfBlock& block) { return block.name.empty() || block.name[0] == '*'; });
   return std::move(collector.file);
 }
 

@@ -17,11 +17,12 @@ using Eigen::Vector2d;
 using input::Diagnostics;
 using input::Location;
 
-constexpr double same = 1e-5;     // m
+constexpr double same = 1e-5;       // m
 constexpr double near_mark = 1e-4;  // m, turn and curve points beside a vertex
 
 std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   return text;
 }
 
@@ -49,9 +50,12 @@ double unit_of(const DxfFile& file, const std::string& name) {
     if (upper(*units).starts_with("METRIC")) by_text = 1e-3;
     if (upper(*units).starts_with("ENGLISH") || upper(*units).starts_with("IMPERIAL")) by_text = 0.0254;
   }
-  const std::string remedy = "write $INSUNITS (1 inches, 4 millimetres, 5 centimetres) or a text \"UNITS: METRIC\" (millimetres) or \"UNITS: ENGLISH\" (inches)";
+  const std::string remedy =
+      "write $INSUNITS (1 inches, 4 millimetres, 5 centimetres) or a text \"UNITS: METRIC\" (millimetres) or \"UNITS: "
+      "ENGLISH\" (inches)";
   if (!by_header && !by_text) throw input::InputError({.file = name}, "the file does not say its unit", remedy);
-  if (by_header && by_text && *by_header != *by_text) throw input::InputError({.file = name}, "$INSUNITS and the text UNITS say two units", remedy);
+  if (by_header && by_text && *by_header != *by_text)
+    throw input::InputError({.file = name}, "$INSUNITS and the text UNITS say two units", remedy);
   return by_header ? *by_header : *by_text;
 }
 
@@ -71,14 +75,16 @@ Span segment(const Vector2d& a, const Vector2d& b, double bulge) {
 
 Curve closed_curve(const DxfPath& path) {
   Curve curve;
-  for (std::size_t n = 0; n < path.points.size(); ++n) curve.spans.push_back(segment(path.points[n], path.points[(n + 1) % path.points.size()], path.bulges[n]));
+  for (std::size_t n = 0; n < path.points.size(); ++n)
+    curve.spans.push_back(segment(path.points[n], path.points[(n + 1) % path.points.size()], path.bulges[n]));
   return curve;
 }
 
 /// One block.
 class BlockReading {
  public:
-  BlockReading(const DxfBlock& block, double unit, std::string file, Diagnostics& diagnostics) : block_(block), unit_(unit), file_(std::move(file)), diagnostics_(diagnostics) {}
+  BlockReading(const DxfBlock& block, double unit, std::string file, Diagnostics& diagnostics)
+      : block_(block), unit_(unit), file_(std::move(file)), diagnostics_(diagnostics) {}
 
   /// Nothing where the block draws no outline.
   std::optional<Piece> piece() {
@@ -89,7 +95,9 @@ class BlockReading {
       if (std::string(".[]+\"\n").find(c) != std::string::npos) c = '_';
     piece_.where = at(block_.line);
     for (const DxfPath& path : block_.paths)
-      if (path.layer == "6") fault(path.line, "the piece " + piece_.name + " is drawn as a half with a mirror line (layer 6)", "unfold it before it is written");
+      if (path.layer == "6")
+        fault(path.line, "the piece " + piece_.name + " is drawn as a half with a mirror line (layer 6)",
+              "unfold it before it is written");
     const auto path = closed(*drawn, "the outline of " + piece_.name);
     if (path) add_outline(swept_area(closed_curve(*path)) < 0.0 ? turned(*path) : *path);
     for (const DxfPath& one : block_.paths) add_path(one);
@@ -99,7 +107,9 @@ class BlockReading {
 
  private:
   Location at(int line) const { return {file_, line, 1}; }
-  void fault(int line, const std::string& found, const std::string& remedy) { diagnostics_.error(at(line), found, remedy); }
+  void fault(int line, const std::string& found, const std::string& remedy) {
+    diagnostics_.error(at(line), found, remedy);
+  }
 
   std::vector<Vector2d> scaled(const std::vector<Vector2d>& points) const {
     std::vector<Vector2d> result;
@@ -112,7 +122,8 @@ class BlockReading {
     for (const char* layer : {"14", "1"}) {
       const DxfPath* longest = nullptr;
       for (const DxfPath& path : block_.paths)
-        if (path.layer == layer && path.points.size() > 2 && (!longest || path.points.size() > longest->points.size())) longest = &path;
+        if (path.layer == layer && path.points.size() > 2 && (!longest || path.points.size() > longest->points.size()))
+          longest = &path;
       if (longest) return longest;
     }
     return nullptr;
@@ -129,12 +140,15 @@ class BlockReading {
         return std::nullopt;
       }
     for (std::size_t n = 0; n < points.size(); ++n)
-      if (path.points.empty() || (points[n] - path.points.back()).norm() > same) path.points.push_back(points[n]), path.bulges.push_back(drawn.bulges[n]);
-      else path.bulges.back() = drawn.bulges[n];
+      if (path.points.empty() || (points[n] - path.points.back()).norm() > same)
+        path.points.push_back(points[n]), path.bulges.push_back(drawn.bulges[n]);
+      else
+        path.bulges.back() = drawn.bulges[n];
     const double gap = (path.points.front() - path.points.back()).norm();
     if (gap <= same) path.points.pop_back(), path.bulges.pop_back();
     if (gap > same && !drawn.closed) {
-      fault(drawn.line, fmt::format("{} is open: its ends are {:.1f} mm apart", what, 1e3 * gap), "let the polyline end where it begins");
+      fault(drawn.line, fmt::format("{} is open: its ends are {:.1f} mm apart", what, 1e3 * gap),
+            "let the polyline end where it begins");
       return std::nullopt;
     }
     if (path.points.size() < 3) {
@@ -145,7 +159,9 @@ class BlockReading {
   }
 
   bool marked(const Vector2d& p, const char* layer) const {
-    return std::any_of(block_.points.begin(), block_.points.end(), [&](const DxfMark& mark) { return mark.layer == layer && (unit_ * mark.place - p).norm() < near_mark; });
+    return std::any_of(block_.points.begin(), block_.points.end(), [&](const DxfMark& mark) {
+      return mark.layer == layer && (unit_ * mark.place - p).norm() < near_mark;
+    });
   }
 
   /// Vertices at which an edge ends and the next begins.
@@ -154,7 +170,8 @@ class BlockReading {
     std::vector<std::size_t> by_mark, by_corner;
     for (std::size_t n = 0; n < count; ++n) {
       if (marked(path.points[n], "2")) by_mark.push_back(n);
-      const Vector2d in = (path.points[n] - path.points[(n + count - 1) % count]).normalized(), out = (path.points[(n + 1) % count] - path.points[n]).normalized();
+      const Vector2d in = (path.points[n] - path.points[(n + count - 1) % count]).normalized(),
+                     out = (path.points[(n + 1) % count] - path.points[n]).normalized();
       if (in.dot(out) < std::sqrt(0.75)) by_corner.push_back(n);
     }
     if (by_mark.size() >= 2) return by_mark;
@@ -175,7 +192,8 @@ class BlockReading {
         if (n > 0) straight.spans.push_back(segment(points[n - 1], points[n], path.bulges[(from + n - 1) % count]));
         if (n > 0) bulges = bulges || path.bulges[(from + n - 1) % count] != 0.0;
       }
-      piece_.edges.push_back({fmt::format("edge{}", e + 1), curved && !bulges ? cubic_spline(points) : straight, at(path.line)});
+      piece_.edges.push_back(
+          {fmt::format("edge{}", e + 1), curved && !bulges ? cubic_spline(points) : straight, at(path.line)});
     }
     piece_.loops.push_back({0, static_cast<int>(piece_.edges.size())});
   }
@@ -184,10 +202,12 @@ class BlockReading {
   void add_path(const DxfPath& path) {
     if (piece_.edges.empty() || path.points.size() < 2) return;
     const std::vector<Vector2d> points = scaled(path.points);
-    if (path.layer == "7" && (points.back() - points.front()).norm() > same) piece_.grain = (points.back() - points.front()).normalized();
+    if (path.layer == "7" && (points.back() - points.front()).norm() > same)
+      piece_.grain = (points.back() - points.front()).normalized();
     if (path.layer == "8") {
       Curve curve;
-      for (std::size_t n = 1; n < points.size(); ++n) curve.spans.push_back(segment(points[n - 1], points[n], path.bulges[n - 1]));
+      for (std::size_t n = 1; n < points.size(); ++n)
+        curve.spans.push_back(segment(points[n - 1], points[n], path.bulges[n - 1]));
       piece_.lines.push_back({fmt::format("line{}", piece_.lines.size() + 1), curve, at(path.line)});
     }
     if (path.layer != "11") return;
@@ -195,7 +215,8 @@ class BlockReading {
     const auto hole = closed(path, "the cut-out of " + piece_.name);
     if (!hole) return;
     const auto begin = static_cast<int>(piece_.edges.size());
-    piece_.edges.push_back({name, closed_curve(swept_area(closed_curve(*hole)) > 0.0 ? turned(*hole) : *hole), at(path.line)});
+    piece_.edges.push_back(
+        {name, closed_curve(swept_area(closed_curve(*hole)) > 0.0 ? turned(*hole) : *hole), at(path.line)});
     piece_.loops.push_back({begin, begin + 1, name});
   }
 
@@ -213,7 +234,9 @@ class BlockReading {
         const double share = along.nearest(place), one = (along.at(share) - place).norm();
         if (one < off) off = one, best.edge = e, best.share = share;
       }
-      if (off > most) fault(mark.line, fmt::format("{} stands {:.1f} mm off the outline", best.name, 1e3 * off), fmt::format("a notch is at most {:g} mm off", 1e3 * most));
+      if (off > most)
+        fault(mark.line, fmt::format("{} stands {:.1f} mm off the outline", best.name, 1e3 * off),
+              fmt::format("a notch is at most {:g} mm off", 1e3 * most));
       piece_.notches.push_back(best);
     }
   }
@@ -233,10 +256,15 @@ Pattern parse_dxf(const std::string& text, const std::string& shown_as) {
   Diagnostics diagnostics;
   Pattern pattern;
   pattern.file = shown_as;
-  if (file.scaled_insert > 0) diagnostics.error({shown_as, file.scaled_insert, 1}, "a block is inserted in another size", "write blocks in their own size");
+  if (file.scaled_insert > 0)
+    diagnostics.error({shown_as, file.scaled_insert, 1}, "a block is inserted in another size",
+                      "write blocks in their own size");
   for (const DxfBlock& block : file.blocks)
-    if (auto piece = BlockReading(block, unit, shown_as, diagnostics).piece()) pattern.pieces.push_back(std::move(*piece));
-  if (pattern.pieces.empty()) diagnostics.error({.file = shown_as}, "no block has an outline", "draw each piece as a block with a polyline on layer 1 (or 14, its sew line)");
+    if (auto piece = BlockReading(block, unit, shown_as, diagnostics).piece())
+      pattern.pieces.push_back(std::move(*piece));
+  if (pattern.pieces.empty())
+    diagnostics.error({.file = shown_as}, "no block has an outline",
+                      "draw each piece as a block with a polyline on layer 1 (or 14, its sew line)");
   diagnostics.throw_if_any();
   return pattern;
 }

@@ -69,12 +69,14 @@ std::vector<std::string> names(const std::vector<Named>& all) {
   return result;
 }
 
-std::optional<EdgePart> edge_part(std::string name, const Pattern& pattern, const Location& where, Diagnostics& diagnostics) {
+std::optional<EdgePart> edge_part(std::string name, const Pattern& pattern, const Location& where,
+                                  Diagnostics& diagnostics) {
   EdgePart part;
   const std::string whole = name, range = take_range(name);
   const auto dot = name.find('.');
   if (dot == std::string::npos) {
-    diagnostics.error(where, "\"" + whole + "\" names no edge", "write piece and edge with a dot between them: \"front.side\"");
+    diagnostics.error(where, "\"" + whole + "\" names no edge",
+                      "write piece and edge with a dot between them: \"front.side\"");
     return std::nullopt;
   }
   const std::string piece = name.substr(0, dot), edge = name.substr(dot + 1);
@@ -85,11 +87,14 @@ std::optional<EdgePart> edge_part(std::string name, const Pattern& pattern, cons
   }
   part.edge = pattern.pieces[part.piece].find(edge);
   if (part.edge < 0) {
-    diagnostics.error(where, "the piece " + piece + " has no edge \"" + edge + "\"", input::did_you_mean(edge, names(pattern.pieces[part.piece].edges)));
+    diagnostics.error(where, "the piece " + piece + " has no edge \"" + edge + "\"",
+                      input::did_you_mean(edge, names(pattern.pieces[part.piece].edges)));
     return std::nullopt;
   }
   if (!set_range(range, pattern.pieces[part.piece], part)) {
-    diagnostics.error(where, "\"" + whole + "\" names no part of an edge", "write shares of its length from 0 to 1, or notches that stand on it: \"front.side[0..0.4]\", \"front.side[knee..1]\"");
+    diagnostics.error(where, "\"" + whole + "\" names no part of an edge",
+                      "write shares of its length from 0 to 1, or notches that stand on it: \"front.side[0..0.4]\", "
+                      "\"front.side[knee..1]\"");
     return std::nullopt;
   }
   return part;
@@ -144,7 +149,8 @@ Pattern graded(const Pattern& pattern, double girth, double length) {
   Pattern result = pattern;
   for (Piece& piece : result.pieces) {
     piece = scaled(piece, girth, length);
-    if (piece.place) piece.place->translation = piece.place->translation.cwiseProduct(Eigen::Vector3d(girth, length, girth));
+    if (piece.place)
+      piece.place->translation = piece.place->translation.cwiseProduct(Eigen::Vector3d(girth, length, girth));
   }
   return result;
 }

@@ -16,16 +16,17 @@ struct EdgePart {
   double from = 0.0, to = 1.0;  ///< shares of its length, from < to
 };
 
-/// One side of a seam or a hem: parts of edges one after the other, each in the direction of its edge. The parts may stand on
-/// several pieces, which other seams then join where one part goes over into the next.
+/// One side of a seam or a hem: parts of edges one after the other, each in the direction of its edge. The parts may
+/// stand on several pieces, which other seams then join where one part goes over into the next.
 using EdgeChain = std::vector<EdgePart>;
 
-/// Two sides become one. Since the outsides of both pieces are to be the garment's outside, one side is walked forwards and the
-/// other backwards: the beginning of `a` meets the end of `b`.
+/// Two sides become one. Since the outsides of both pieces are to be the garment's outside, one side is walked forwards
+/// and the other backwards: the beginning of `a` meets the end of `b`.
 struct Seam {
   std::string name;
   EdgeChain a, b;
-  /// How much longer one side is meant to be than the other, of the shorter one; left out: whatever is below `largest_ease`.
+  /// How much longer one side is meant to be than the other, of the shorter one; left out: whatever is below
+  /// `largest_ease`.
   std::optional<double> ease;
   input::Location where = {};
 };
@@ -53,17 +54,18 @@ struct Pattern {
 std::string name_of(const Pattern& pattern, const EdgePart& part);
 /// The parts with " + " between them.
 std::string name_of(const Pattern& pattern, const EdgeChain& chain);
-/// The parts that a text names ("back.armhole + front.armhole[0..0.4]"). Reports a piece or an edge that is not there, and a
-/// share outside [0, 1], at `where`; gives no parts then.
-EdgeChain edge_chain(const std::string& text, const Pattern& pattern, const input::Location& where, input::Diagnostics& diagnostics);
+/// The parts that a text names ("back.armhole + front.armhole[0..0.4]"). Reports a piece or an edge that is not there,
+/// and a share outside [0, 1], at `where`; gives no parts then.
+EdgeChain edge_chain(const std::string& text, const Pattern& pattern, const input::Location& where,
+                     input::Diagnostics& diagnostics);
 
 double length(const Pattern& pattern, const EdgePart& part);    ///< m
 double length(const Pattern& pattern, const EdgeChain& chain);  ///< m
 /// How much longer one side is than the other, of the shorter one.
 double ease(double one_side, double other_side);
 
-/// Graded by girth and length: every piece is stretched along the x of its drawing by `girth` and along its y by `length`; a
-/// place that the file gives moves along. Seams may need other eases then: check again.
+/// Graded by girth and length: every piece is stretched along the x of its drawing by `girth` and along its y by
+/// `length`; a place that the file gives moves along. Seams may need other eases then: check again.
 Pattern graded(const Pattern& pattern, double girth, double length);
 
 }  // namespace snug::mesh

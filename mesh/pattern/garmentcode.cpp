@@ -35,12 +35,15 @@ Vector2d relative(const Vector2d& from, const Vector2d& to, const Vector2d& cont
 /// Reads one file; everything is reported and read on.
 class Reading {
  public:
-  Reading(const Table& root, std::string file, Diagnostics& diagnostics) : root_(root), diagnostics_(diagnostics) { pattern_.file = std::move(file); }
+  Reading(const Table& root, std::string file, Diagnostics& diagnostics) : root_(root), diagnostics_(diagnostics) {
+    pattern_.file = std::move(file);
+  }
 
   Pattern pattern() {
     if (const Value* title = root_.find("title"); title && title->text()) pattern_.title = *title->text();
     const Table* pattern = root_.table("pattern");
-    if (!pattern) fault(root_.where, "there is no \"pattern\"", "a pattern of GarmentCode has it with panels and stitches");
+    if (!pattern)
+      fault(root_.where, "there is no \"pattern\"", "a pattern of GarmentCode has it with panels and stitches");
     read_properties(pattern);
     const Table* panels = pattern ? pattern->table("panels") : nullptr;
     if (pattern && !panels) fault(pattern->where, "there are no \"panels\"", "add them, each with vertices and edges");
@@ -53,7 +56,9 @@ class Reading {
   }
 
  private:
-  void fault(const input::Location& where, const std::string& found, const std::string& remedy) { diagnostics_.error(where, found, remedy); }
+  void fault(const input::Location& where, const std::string& found, const std::string& remedy) {
+    diagnostics_.error(where, found, remedy);
+  }
 
   void read_properties(const Table* pattern) {
     const Table* properties = root_.table("properties");
@@ -62,39 +67,52 @@ class Reading {
     if (!units && properties) units = properties->find("units_in_meter");
     double storage = 0.0;
     const double* number = units ? units->number(storage) : nullptr;
-    if (number && *number > 0.0 && std::isfinite(*number)) unit_ = 1.0 / *number;
-    else fault(units ? units->where : root_.where, "the file does not say its unit", "add \"units_in_meter\": 100 to its properties (centimetres)");
+    if (number && *number > 0.0 && std::isfinite(*number))
+      unit_ = 1.0 / *number;
+    else
+      fault(units ? units->where : root_.where, "the file does not say its unit",
+            "add \"units_in_meter\": 100 to its properties (centimetres)");
     if (!properties) return;
-    if (const Value* coords = properties->find("curvature_coords"); coords && coords->text()) absolute_ = *coords->text() == "absolute";
+    if (const Value* coords = properties->find("curvature_coords"); coords && coords->text())
+      absolute_ = *coords->text() == "absolute";
     if (const Value* seen = properties->find("seen_from_outside"))
       if (const bool* flag = std::get_if<bool>(&seen->data)) seen_from_outside_ = *flag;
   }
 
   /// `count` numbers in a list.
-  std::optional<std::vector<double>> numbers(const Value* value, const input::Location& where, const std::string& what, std::size_t count) {
+  std::optional<std::vector<double>> numbers(const Value* value, const input::Location& where, const std::string& what,
+                                             std::size_t count) {
     const auto* items = value ? value->array() : nullptr;
     std::vector<double> result;
     if (items)
       for (const Value& item : *items) {
         double storage = 0.0;
-        if (const bool* flag = std::get_if<bool>(&item.data)) result.push_back(*flag ? 1.0 : 0.0);
-        else if (const double* number = item.number(storage); number && std::abs(*number) < 1e9) result.push_back(*number);
+        if (const bool* flag = std::get_if<bool>(&item.data))
+          result.push_back(*flag ? 1.0 : 0.0);
+        else if (const double* number = item.number(storage); number && std::abs(*number) < 1e9)
+          result.push_back(*number);
       }
     if (items && items->size() == count && result.size() == count) return result;
-    fault(value ? value->where : where, what + " is no list of " + std::to_string(count) + " numbers", "give " + std::to_string(count) + " numbers in [brackets]");
+    fault(value ? value->where : where, what + " is no list of " + std::to_string(count) + " numbers",
+          "give " + std::to_string(count) + " numbers in [brackets]");
     return std::nullopt;
   }
 
   void read_panel(const input::Entry& entry) {
     const Table* table = entry.value.table();
-    if (!table) return fault(entry.where, "the panel " + entry.key + " is " + entry.value.description(), "give it vertices and edges");
+    if (!table)
+      return fault(entry.where, "the panel " + entry.key + " is " + entry.value.description(),
+                   "give it vertices and edges");
     Piece piece;
     piece.name = plain(entry.key), piece.where = entry.where;
-    if (pattern_.find(piece.name) >= 0) fault(entry.where, "the panel " + piece.name + " stands twice", "give it a name of its own");
+    if (pattern_.find(piece.name) >= 0)
+      fault(entry.where, "the panel " + piece.name + " stands twice", "give it a name of its own");
     const std::vector<Vector2d> vertices = read_vertices(*table, piece.name);
     const Value* edges = table->find("edges");
-    if (!edges || !edges->array() || edges->array()->size() < 2) fault(edges ? edges->where : entry.where, "the panel " + piece.name + " has no edges", "give it two or more");
-    else read_edges(*edges->array(), vertices, piece);
+    if (!edges || !edges->array() || edges->array()->size() < 2)
+      fault(edges ? edges->where : entry.where, "the panel " + piece.name + " has no edges", "give it two or more");
+    else
+      read_edges(*edges->array(), vertices, piece);
     piece.loops.push_back({0, static_cast<int>(piece.edges.size())});
     read_place(*table, piece);
     pattern_.pieces.push_back(std::move(piece));
@@ -121,24 +139,33 @@ class Reading {
       const Value* ends = table ? table->find("endpoints") : nullptr;
       const auto pair = numbers(ends, edges[e].where, "\"endpoints\" of an edge of " + piece.name, 2);
       if (!pair) continue;
-      const auto exists = [&](double n) { return n >= 0.0 && n < static_cast<double>(vertices.size()) && n == std::floor(n); };
+      const auto exists = [&](double n) {
+        return n >= 0.0 && n < static_cast<double>(vertices.size()) && n == std::floor(n);
+      };
       if (!exists((*pair)[0]) || !exists((*pair)[1])) {
-        fault(edges[e].where, fmt::format("an edge of {} goes from vertex {:g} to {:g}, of {}", piece.name, (*pair)[0], (*pair)[1], vertices.size()),
+        fault(edges[e].where,
+              fmt::format("an edge of {} goes from vertex {:g} to {:g}, of {}", piece.name, (*pair)[0], (*pair)[1],
+                          vertices.size()),
               "vertices count from 0");
         continue;
       }
       std::string name = edge_name(*table, e);
       if (!names.insert(name).second) names.insert(name = fmt::format("{} {}", name, e));
-      piece.edges.push_back({name, curve(*table, vertices[static_cast<std::size_t>((*pair)[0])], vertices[static_cast<std::size_t>((*pair)[1])]), edges[e].where});
+      piece.edges.push_back({name,
+                             curve(*table, vertices[static_cast<std::size_t>((*pair)[0])],
+                                   vertices[static_cast<std::size_t>((*pair)[1])]),
+                             edges[e].where});
     }
     if (piece.edges.size() != edges.size()) piece.edges.clear();  // has been reported
   }
 
   /// Its label, else the names of its ends, else its number.
   static std::string edge_name(const Table& edge, std::size_t number) {
-    if (const Value* label = edge.find("label"); label && label->text() && !label->text()->empty()) return plain(*label->text());
+    if (const Value* label = edge.find("label"); label && label->text() && !label->text()->empty())
+      return plain(*label->text());
     if (const Value* ends = edge.find("names"); ends && ends->array() && ends->array()->size() == 2)
-      if (const auto *a = (*ends->array())[0].text(), *b = (*ends->array())[1].text(); a && b) return plain(*a + "-" + *b);
+      if (const auto* a = (*ends->array())[0].text(), *b = (*ends->array())[1].text(); a && b)
+        return plain(*a + "-" + *b);
     return fmt::format("edge{}", number);
   }
 
@@ -153,11 +180,13 @@ class Reading {
     if (kind == "circle") return {{circle(params, curvature->where, from, to)}};
     if (kind == "quadratic" && points.size() == 1) return {{quadratic(&points[0], curvature->where, from, to)}};
     if (kind == "cubic" && points.size() == 2) {
-      const auto first = control(&points[0], curvature->where, from, to), second = control(&points[1], curvature->where, from, to);
+      const auto first = control(&points[0], curvature->where, from, to),
+                 second = control(&points[1], curvature->where, from, to);
       return {{Cubic{from, first, second, to}}};
     }
     fault(curvature->where, "a curvature of \"" + kind + fmt::format("\" with {} params", points.size()),
-          "write \"quadratic\" with one control point, \"cubic\" with two, or \"circle\" with radius, large arc and right");
+          "write \"quadratic\" with one control point, \"cubic\" with two, or \"circle\" with radius, large arc and "
+          "right");
     return {{Line{from, to}}};
   }
 
@@ -176,7 +205,8 @@ class Reading {
     if (!three) return Line{from, to};
     const double radius = unit_ * (*three)[0], half = 0.5 * (to - from).norm();
     if (!(radius >= half * (1.0 - 1e-6)) || !(half > 0.0)) {
-      fault(where, fmt::format("a circle of radius {:g} over a chord of {:g}", (*three)[0], 2.0 * half / unit_), "the radius is at least half the chord");
+      fault(where, fmt::format("a circle of radius {:g} over a chord of {:g}", (*three)[0], 2.0 * half / unit_),
+            "the radius is at least half the chord");
       return Line{from, to};
     }
     return arc_of_radius(from, to, radius, (*three)[1] != 0.0, (*three)[2] != 0.0);
@@ -185,12 +215,16 @@ class Reading {
   void read_place(const Table& table, Piece& piece) {
     const Value *translation = table.find("translation"), *rotation = table.find("rotation");
     if (!translation && !rotation) return;
-    const auto t = numbers(translation, table.where, "\"translation\" of " + piece.name, 3), r = numbers(rotation, table.where, "\"rotation\" of " + piece.name, 3);
+    const auto t = numbers(translation, table.where, "\"translation\" of " + piece.name, 3),
+               r = numbers(rotation, table.where, "\"rotation\" of " + piece.name, 3);
     if (!t || !r) return;
     constexpr double degree = std::numbers::pi / 180.0;
-    const auto about = [](double angle, const Vector3d& axis) { return Eigen::AngleAxisd(angle * degree, axis).toRotationMatrix(); };
-    piece.place = GivenPlace{about((*r)[2], Vector3d::UnitZ()) * about((*r)[1], Vector3d::UnitY()) * about((*r)[0], Vector3d::UnitX()),
-                             unit_ * Vector3d((*t)[0], (*t)[1], (*t)[2])};
+    const auto about = [](double angle, const Vector3d& axis) {
+      return Eigen::AngleAxisd(angle * degree, axis).toRotationMatrix();
+    };
+    piece.place = GivenPlace{
+        about((*r)[2], Vector3d::UnitZ()) * about((*r)[1], Vector3d::UnitY()) * about((*r)[0], Vector3d::UnitX()),
+        unit_ * Vector3d((*t)[0], (*t)[1], (*t)[2])};
   }
 
   void read_stitches(const Table& pattern) {
@@ -207,32 +241,44 @@ class Reading {
     if (const auto* sides = value.array(); sides && sides->size() >= 2) {
       a = &(*sides)[0], b = &(*sides)[1];
       if (sides->size() > 2 && (*sides)[2].text() && *(*sides)[2].text() == "right_wrong")
-        return fault(value.where, "a stitch of the outside to the inside", "both outsides of a seam are those of the garment; turn one of the panels");
+        return fault(value.where, "a stitch of the outside to the inside",
+                     "both outsides of a seam are those of the garment; turn one of the panels");
     } else if (const Table* table = value.table()) {
       a = table->find("a"), b = table->find("b");
       if (const Value* label = table->find("label"); label && label->text()) stitch.name = plain(*label->text());
     }
-    if (!a || !b) return fault(value.where, "a stitch is " + value.description(), "give two sides: [{ \"panel\": ..., \"edge\": ... }, { ... }]");
+    if (!a || !b)
+      return fault(value.where, "a stitch is " + value.description(),
+                   "give two sides: [{ \"panel\": ..., \"edge\": ... }, { ... }]");
     if (read_side(*a, stitch.a) && read_side(*b, stitch.b)) stitches_.push_back(stitch);
   }
 
   bool read_side(const Value& value, EdgeChain& side) {
     const Table* table = value.table();
-    const Value *panel = table ? table->find("panel") : nullptr, *edges = table ? table->find("edges") : nullptr, *edge = table ? table->find("edge") : nullptr;
+    const Value *panel = table ? table->find("panel") : nullptr, *edges = table ? table->find("edges") : nullptr,
+                *edge = table ? table->find("edge") : nullptr;
     const int piece = panel && panel->text() ? pattern_.find(plain(*panel->text())) : -1;
     if (piece < 0) {
-      fault(value.where, "a stitch names " + (panel && panel->text() ? "the panel \"" + *panel->text() + "\", which is not there" : std::string("no panel")), "name one of the panels");
+      fault(value.where,
+            "a stitch names " + (panel && panel->text() ? "the panel \"" + *panel->text() + "\", which is not there"
+                                                        : std::string("no panel")),
+            "name one of the panels");
       return false;
     }
     std::vector<const Value*> numbers;
     if (edges && edges->array())
       for (const Value& one : *edges->array()) numbers.push_back(&one);
-    else if (edge) numbers.push_back(edge);
+    else if (edge)
+      numbers.push_back(edge);
     const auto count = static_cast<long long>(pattern_.pieces[piece].edges.size());
     for (const Value* number : numbers) {
       const auto* n = std::get_if<long long>(&number->data);
       if (!n || *n < 0 || *n >= count) {
-        if (count > 0) fault(number->where, fmt::format("a stitch names {} as an edge of {}, which has {}", number->description(), pattern_.pieces[piece].name, count), "edges count from 0");
+        if (count > 0)
+          fault(number->where,
+                fmt::format("a stitch names {} as an edge of {}, which has {}", number->description(),
+                            pattern_.pieces[piece].name, count),
+                "edges count from 0");
         return false;
       }
       side.push_back({piece, static_cast<int>(*n)});
@@ -252,7 +298,8 @@ class Reading {
     if (follow()) return true;
     std::reverse(side.begin(), side.end());
     if (follow()) return true;
-    fault(value.where, "the edges of a stitch do not follow each other on " + piece.name, "name edges that do, or make several stitches");
+    fault(value.where, "the edges of a stitch do not follow each other on " + piece.name,
+          "name edges that do, or make several stitches");
     return false;
   }
 
@@ -261,7 +308,9 @@ class Reading {
     for (const Piece& piece : pattern_.pieces)
       for (std::size_t e = 0; e < piece.edges.size(); ++e)
         if ((piece.edges[e].curve.end() - piece.edges[piece.next(static_cast<int>(e))].curve.begin()).norm() > 1e-9)
-          fault(piece.edges[e].where, fmt::format("the outline of {} is open after {}", piece.name, piece.edges[e].name), "let each edge begin at the vertex where the one before it ends");
+          fault(piece.edges[e].where,
+                fmt::format("the outline of {} is open after {}", piece.name, piece.edges[e].name),
+                "let each edge begin at the vertex where the one before it ends");
     diagnostics_.throw_if_any();
     std::vector<int> listed(pattern_.pieces.size(), 1);
     if (!seen_from_outside_) listed = outline_directions(pattern_, stitches_);
@@ -281,7 +330,8 @@ class Reading {
       for (EdgePart& part : chain) part.edge = pattern_.pieces[piece].find(names[piece][part.edge]);
       return chain;
     };
-    for (const Stitch& stitch : stitches_) pattern_.seams.push_back({stitch.name, side(stitch.a), side(stitch.b), std::nullopt, stitch.where});
+    for (const Stitch& stitch : stitches_)
+      pattern_.seams.push_back({stitch.name, side(stitch.a), side(stitch.b), std::nullopt, stitch.where});
   }
 
   const Table& root_;

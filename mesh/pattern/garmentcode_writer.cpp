@@ -25,14 +25,16 @@ Json relative(const Vector2d& from, const Vector2d& to, const Vector2d& control)
 }
 
 bool is_circle(const Arc& arc) {
-  return std::abs(arc.u.norm() - arc.v.norm()) < 1e-12 * arc.u.norm() && std::abs(arc.u.dot(arc.v)) < 1e-12 * arc.u.squaredNorm() &&
+  return std::abs(arc.u.norm() - arc.v.norm()) < 1e-12 * arc.u.norm() &&
+         std::abs(arc.u.dot(arc.v)) < 1e-12 * arc.u.squaredNorm() &&
          std::abs(arc.to - arc.from) < 1.9 * std::numbers::pi;
 }
 
 /// Null for a line.
 Json curvature(const Span& span) {
   const Vector2d from = at(span, 0.0), to = at(span, 1.0);
-  if (const auto* q = std::get_if<Quadratic>(&span)) return {{"type", "quadratic"}, {"params", Json::array({relative(from, to, q->control)})}};
+  if (const auto* q = std::get_if<Quadratic>(&span))
+    return {{"type", "quadratic"}, {"params", Json::array({relative(from, to, q->control)})}};
   if (const auto* c = std::get_if<Cubic>(&span))
     return {{"type", "cubic"}, {"params", Json::array({relative(from, to, c->first), relative(from, to, c->second)})}};
   if (const auto* arc = std::get_if<Arc>(&span)) {
@@ -48,7 +50,8 @@ std::vector<Span> spans_of(const Curve& curve) {
   std::vector<Span> result;
   for (const Span& span : curve.spans) {
     const Arc* arc = std::get_if<Arc>(&span);
-    if (!arc || is_circle(*arc)) result.push_back(span);
+    if (!arc || is_circle(*arc))
+      result.push_back(span);
     else
       for (const Span& one : without_arcs({{span}})) result.push_back(one);
   }
@@ -92,14 +95,16 @@ class Writer {
         Json edge = {{"endpoints", Json::array({edges.size(), edges.size() + 1})}};
         if (const Json bend = curvature(spans[n]); !bend.is_null()) edge["curvature"] = bend;
         const bool whole = spans.size() == 1 && part.from == 0.0 && part.to == 1.0;
-        edge["label"] = whole ? piece.edges[part.edge].name : fmt::format("{} {}", piece.edges[part.edge].name, edges.size());
+        edge["label"] =
+            whole ? piece.edges[part.edge].name : fmt::format("{} {}", piece.edges[part.edge].name, edges.size());
         edges.push_back(edge);
       }
     }
     if (!edges.empty()) edges.back()["endpoints"][1] = 0;
     Json result;
     if (piece.place) {
-      result["translation"] = Json::array({units * piece.place->translation.x(), units * piece.place->translation.y(), units * piece.place->translation.z()});
+      result["translation"] = Json::array({units * piece.place->translation.x(), units * piece.place->translation.y(),
+                                           units * piece.place->translation.z()});
       result["rotation"] = angles(piece.place->rotation);
     }
     result["vertices"] = vertices;
@@ -111,7 +116,8 @@ class Writer {
   static Json angles(const Eigen::Matrix3d& R) {
     constexpr double degrees = 180.0 / std::numbers::pi;
     const double y = std::asin(std::clamp(-R(2, 0), -1.0, 1.0));
-    if (std::abs(R(2, 0)) > 1.0 - 1e-12) return Json::array({0.0, y * degrees, std::atan2(-R(0, 1), R(1, 1)) * degrees});
+    if (std::abs(R(2, 0)) > 1.0 - 1e-12)
+      return Json::array({0.0, y * degrees, std::atan2(-R(0, 1), R(1, 1)) * degrees});
     return Json::array({std::atan2(R(2, 1), R(2, 2)) * degrees, y * degrees, std::atan2(R(1, 0), R(0, 0)) * degrees});
   }
 
@@ -119,13 +125,18 @@ class Writer {
     Json result = Json::array();
     for (std::size_t s = 0; s < checked_.sewing.stretches.size(); ++s) {
       const Stretch& one = checked_.sewing.stretches[s];
-      if (one.partner < static_cast<int>(s) || !numbers_.contains(static_cast<int>(s)) || !numbers_.contains(one.partner)) continue;
+      if (one.partner < static_cast<int>(s) || !numbers_.contains(static_cast<int>(s)) ||
+          !numbers_.contains(one.partner))
+        continue;
       const std::vector<int>&a = numbers_.at(static_cast<int>(s)), &b = numbers_.at(one.partner);
-      const std::string &of_a = checked_.pattern.pieces[one.part.piece].name, &of_b = checked_.pattern.pieces[checked_.sewing.stretches[one.partner].part.piece].name;
+      const std::string &of_a = checked_.pattern.pieces[one.part.piece].name,
+                        &of_b = checked_.pattern.pieces[checked_.sewing.stretches[one.partner].part.piece].name;
       if (a.size() == 1 && b.size() == 1)
         result.push_back(Json::array({{{"panel", of_a}, {"edge", a[0]}}, {{"panel", of_b}, {"edge", b[0]}}}));
       else
-        result.push_back({{"label", checked_.pattern.seams[one.seam].name}, {"a", {{"panel", of_a}, {"edges", a}}}, {"b", {{"panel", of_b}, {"edges", b}}}});
+        result.push_back({{"label", checked_.pattern.seams[one.seam].name},
+                          {"a", {{"panel", of_a}, {"edges", a}}},
+                          {"b", {{"panel", of_b}, {"edges", b}}}});
     }
     return result;
   }

@@ -17,8 +17,9 @@ std::vector<double> parameters(const std::vector<Vector2d>& points) {
   return t;
 }
 
-/// The slopes m_i of (4.1): mu_i m_{i-1} + 3 m_i + lambda_i m_{i+1} = 4 (mu_i dP_i / l_i + lambda_i dP_{i+1} / l_{i+1}) with
-/// l_i = t_i - t_{i-1}, mu_i = l_{i+1} / (l_i + l_{i+1}), lambda_i = 1 - mu_i; M = 0 at the ends: 3 m_0 + m_1 = 4 dP_1 / l_1.
+/// The slopes m_i of (4.1): mu_i m_{i-1} + 3 m_i + lambda_i m_{i+1} = 4 (mu_i dP_i / l_i + lambda_i dP_{i+1} / l_{i+1})
+/// with l_i = t_i - t_{i-1}, mu_i = l_{i+1} / (l_i + l_{i+1}), lambda_i = 1 - mu_i; M = 0 at the ends: 3 m_0 + m_1 = 4
+/// dP_1 / l_1.
 std::vector<Vector2d> slopes(const std::vector<Vector2d>& points, const std::vector<double>& t) {
   const int n = static_cast<int>(points.size()) - 1;
   const auto secant = [&](int i) -> Vector2d { return (points[i] - points[i - 1]) / (t[i] - t[i - 1]); };
@@ -36,7 +37,8 @@ std::vector<Vector2d> slopes(const std::vector<Vector2d>& points, const std::vec
     diagonal[i] -= factor * above[i - 1];
     right[i] -= factor * right[i - 1];
   }
-  for (int i = n; i >= 0; --i) right[i] = (i < n ? Vector2d(right[i] - above[i] * right[i + 1]) : right[i]) / diagonal[i];
+  for (int i = n; i >= 0; --i)
+    right[i] = (i < n ? Vector2d(right[i] - above[i] * right[i + 1]) : right[i]) / diagonal[i];
   return right;
 }
 
@@ -51,7 +53,8 @@ Curve cubic_spline(const std::vector<Vector2d>& points) {
   Curve curve;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double third = (t[i] - t[i - 1]) / 3.0;
-    curve.spans.push_back(Cubic{points[i - 1], points[i - 1] + third * slope(t[i - 1]), points[i] - third * slope(t[i]), points[i]});
+    curve.spans.push_back(
+        Cubic{points[i - 1], points[i - 1] + third * slope(t[i - 1]), points[i] - third * slope(t[i]), points[i]});
   }
   return curve;
 }
@@ -65,7 +68,8 @@ Curve quadratic_spline(const std::vector<Vector2d>& points) {
     // M_i by the chord after P_i, at the last point by the one before it.
     const double length = i < n ? t[i + 1] - t[i] : t[n] - t[n - 1];
     const Vector2d rise = (i < n ? points[i + 1] - points[i] : points[n] - points[n - 1]) / length;
-    const Vector2d bend = i < n ? Vector2d((4.0 * rise - 3.0 * m[i] - m[i + 1]) / length) : Vector2d((3.0 * m[n] + m[n - 1] - 4.0 * rise) / length);
+    const Vector2d bend = i < n ? Vector2d((4.0 * rise - 3.0 * m[i] - m[i + 1]) / length)
+                                : Vector2d((3.0 * m[n] + m[n - 1] - 4.0 * rise) / length);
     const auto place = [&](double s) -> Vector2d { return points[i] + s * m[i] + 0.5 * s * s * bend; };
     const double from = i > 0 ? -0.5 * (t[i] - t[i - 1]) : 0.0, to = i < n ? 0.5 * (t[i + 1] - t[i]) : 0.0;
     curve.spans.push_back(Quadratic{place(from), place(from) + 0.5 * (to - from) * (m[i] + from * bend), place(to)});

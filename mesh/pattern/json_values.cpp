@@ -61,13 +61,16 @@ class Places {
 /// Builds values from the parser's events (the SAX interface of nlohmann::json).
 class Builder {
  public:
-  Builder(const std::string& text, const std::string& file, const std::size_t& seen) : text_(text), places_(text, file), seen_(seen) {}
+  Builder(const std::string& text, const std::string& file, const std::size_t& seen)
+      : text_(text), places_(text, file), seen_(seen) {}
 
   bool null() { return put(std::monostate{}); }
   bool boolean(bool value) { return put(value); }
   bool number_integer(std::int64_t value) { return put(static_cast<long long>(value)); }
   bool number_unsigned(std::uint64_t value) {
-    return value <= static_cast<std::uint64_t>(std::numeric_limits<long long>::max()) ? put(static_cast<long long>(value)) : put(static_cast<double>(value));
+    return value <= static_cast<std::uint64_t>(std::numeric_limits<long long>::max())
+               ? put(static_cast<long long>(value))
+               : put(static_cast<double>(value));
   }
   bool number_float(double value, const std::string&) { return put(value); }
   bool string(std::string& value) { return put(std::move(value)); }
@@ -126,8 +129,10 @@ class Builder {
       return false;
     }
     Open one;
-    if constexpr (std::is_same_v<Data, input::Table>) one.value.where = data.where;
-    else one.value.where = place();
+    if constexpr (std::is_same_v<Data, input::Table>)
+      one.value.where = data.where;
+    else
+      one.value.where = place();
     one.value.data = std::move(data);
     open_.push_back(std::move(one));
     return true;

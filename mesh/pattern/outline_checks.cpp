@@ -42,12 +42,16 @@ void check_gaps(const Piece& piece, Diagnostics& diagnostics) {
     const PieceEdge &edge = piece.edges[e], &next = piece.edges[piece.next(static_cast<int>(e))];
     const double gap = (edge.curve.end() - next.curve.begin()).norm();
     if (gap > closed)
-      diagnostics.error(edge.where,
-                        fmt::format("the outline of {} is open: the edge {} ends at {}, the next one, {}, begins at {}, {:.1f} mm from there",
-                                    piece.name, edge.name, place(piece, edge.curve.end()), next.name, place(piece, next.curve.begin()), 1e3 * gap),
-                        "let every edge begin where the one before it ends");
+      diagnostics.error(
+          edge.where,
+          fmt::format(
+              "the outline of {} is open: the edge {} ends at {}, the next one, {}, begins at {}, {:.1f} mm from there",
+              piece.name, edge.name, place(piece, edge.curve.end()), next.name, place(piece, next.curve.begin()),
+              1e3 * gap),
+          "let every edge begin where the one before it ends");
     if (!(ArcLength(edge.curve).length() > shortest))
-      diagnostics.error(edge.where, fmt::format("the edge {} of {} has no length", edge.name, piece.name), "leave it out");
+      diagnostics.error(edge.where, fmt::format("the edge {} of {} has no length", edge.name, piece.name),
+                        "leave it out");
   }
 }
 
@@ -59,7 +63,9 @@ std::vector<Segment> segments(const Piece& piece) {
       std::vector<Vector2d> points = flattened(piece.edges[e].curve, flat);
       points.back() = piece.edges[piece.next(e)].curve.begin();  // a closed gap is none
       for (std::size_t n = 1; n < points.size(); ++n)
-        if ((points[n] - points[n - 1]).norm() > 1e-9) result.push_back({points[n - 1], points[n], e, static_cast<int>(result.size() - first), static_cast<int>(l), 0});
+        if ((points[n] - points[n - 1]).norm() > 1e-9)
+          result.push_back(
+              {points[n - 1], points[n], e, static_cast<int>(result.size() - first), static_cast<int>(l), 0});
     }
     for (std::size_t s = first; s < result.size(); ++s) result[s].of = static_cast<int>(result.size() - first);
   }
@@ -78,7 +84,8 @@ std::optional<Vector2d> meeting(const Segment& s, const Segment& t) {
     return s.a + x * u;
   }
   if (std::abs(cross(w, u)) > off * u.norm()) return std::nullopt;  // parallel
-  const double from = std::min(w.dot(u), (t.b - s.a).dot(u)) / u.squaredNorm(), to = std::max(w.dot(u), (t.b - s.a).dot(u)) / u.squaredNorm();
+  const double from = std::min(w.dot(u), (t.b - s.a).dot(u)) / u.squaredNorm(),
+               to = std::max(w.dot(u), (t.b - s.a).dot(u)) / u.squaredNorm();
   if (to < 0.0 || from > 1.0) return std::nullopt;
   return s.a + 0.5 * (std::max(0.0, from) + std::min(1.0, to)) * u;
 }
@@ -94,7 +101,8 @@ std::optional<Vector2d> crossing(const Segment& s, const Segment& t) {
     return at_corner ? std::nullopt : at;
   }
   const Vector2d u = (s.b - s.a).normalized(), v = (t.b - t.a).normalized();
-  if (u.dot(v) < 0.0 && std::abs(cross(u, v)) < 1e-9 && s.of > 2) return (s.b - t.a).norm() < (s.a - t.b).norm() ? s.b : s.a;
+  if (u.dot(v) < 0.0 && std::abs(cross(u, v)) < 1e-9 && s.of > 2)
+    return (s.b - t.a).norm() < (s.a - t.b).norm() ? s.b : s.a;
   return std::nullopt;
 }
 
@@ -107,9 +115,12 @@ void check_crossings(const Piece& piece, Diagnostics& diagnostics) {
       const auto at = crossing(all[i], all[j]);
       if (!at) continue;
       ++found;
-      const PieceEdge &one = piece.edges[std::min(all[i].edge, all[j].edge)], &other = piece.edges[std::max(all[i].edge, all[j].edge)];
-      const std::string whom = &one == &other ? "the edge " + one.name + " crosses or touches itself" : "the edges " + one.name + " and " + other.name + " cross or touch";
-      diagnostics.error(other.where, fmt::format("the outline of {} is not simple: {} at {}", piece.name, whom, place(piece, *at)),
+      const PieceEdge &one = piece.edges[std::min(all[i].edge, all[j].edge)],
+                      &other = piece.edges[std::max(all[i].edge, all[j].edge)];
+      const std::string whom = &one == &other ? "the edge " + one.name + " crosses or touches itself"
+                                              : "the edges " + one.name + " and " + other.name + " cross or touch";
+      diagnostics.error(other.where,
+                        fmt::format("the outline of {} is not simple: {} at {}", piece.name, whom, place(piece, *at)),
                         "draw a border that meets itself nowhere; a dart is two edges that meet at its point");
     }
 }
@@ -129,11 +140,15 @@ void check_holes(const Piece& piece, Diagnostics& diagnostics) {
     const PieceEdge& edge = piece.edges[piece.loops[hole].begin];
     const Vector2d point = edge.curve.begin();
     if (!inside(border, 0, point))
-      diagnostics.error(edge.where, fmt::format("the hole {} of {} lies outside the piece, at {}", piece.loops[hole].name, piece.name, place(piece, point)),
+      diagnostics.error(edge.where,
+                        fmt::format("the hole {} of {} lies outside the piece, at {}", piece.loops[hole].name,
+                                    piece.name, place(piece, point)),
                         "draw it inside the outline, or leave it out");
     for (std::size_t other = 1; other < piece.loops.size(); ++other)
       if (other != hole && inside(border, static_cast<int>(other), point))
-        diagnostics.error(edge.where, fmt::format("the hole {} of {} lies in another hole", piece.loops[hole].name, piece.name), "leave it out");
+        diagnostics.error(edge.where,
+                          fmt::format("the hole {} of {} lies in another hole", piece.loops[hole].name, piece.name),
+                          "leave it out");
   }
 }
 
@@ -142,19 +157,24 @@ void check_direction(const Piece& piece, Diagnostics& diagnostics) {
   for (int e = piece.loops[0].begin; e < piece.loops[0].end; ++e) sum += swept_area(piece.edges[e].curve);
   if (sum < 0.0)
     diagnostics.error(piece.where, fmt::format("the piece {} is inside out: its outline runs clockwise", piece.name),
-                      "name the edges counter-clockwise as seen from the outside of the garment; a piece that is drawn from its inside says seen_from = \"inside\"");
+                      "name the edges counter-clockwise as seen from the outside of the garment; a piece that is drawn "
+                      "from its inside says seen_from = \"inside\"");
 }
 
 }  // namespace
 
 void check_outline(const Piece& piece, Diagnostics& diagnostics) {
   if (!finite(piece))
-    return diagnostics.error(piece.where, "the piece " + piece.name + " has points that are no numbers or a kilometre away", "see its coordinates and their unit");
+    return diagnostics.error(piece.where,
+                             "the piece " + piece.name + " has points that are no numbers or a kilometre away",
+                             "see its coordinates and their unit");
   const std::size_t before = diagnostics.errors().size();
   check_gaps(piece, diagnostics);
   const Eigen::AlignedBox2d extent = box(piece);
   if (extent.sizes().maxCoeff() > largest || extent.sizes().minCoeff() < 1e-3)
-    diagnostics.error(piece.where, fmt::format("the piece {} measures {:.4g} mm by {:.4g} mm", piece.name, 1e3 * extent.sizes().x(), 1e3 * extent.sizes().y()),
+    diagnostics.error(piece.where,
+                      fmt::format("the piece {} measures {:.4g} mm by {:.4g} mm", piece.name, 1e3 * extent.sizes().x(),
+                                  1e3 * extent.sizes().y()),
                       "pieces measure from 1 mm to 20 m; see the unit of the file");
   if (diagnostics.errors().size() > before) return;
   check_crossings(piece, diagnostics);

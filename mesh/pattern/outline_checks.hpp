@@ -6,8 +6,9 @@
 
 namespace snug::mesh {
 
-/// Reports edges that do not meet their neighbours, have no length, cross or touch other edges or themselves, an outline that
-/// runs clockwise, and holes that are not inside the outline. Places are given in the drawing of the file, mm.
+/// Reports edges that do not meet their neighbours, have no length, cross or touch other edges or themselves, an
+/// outline that runs clockwise, and holes that are not inside the outline. Places are given in the drawing of the file,
+/// mm.
 void check_outline(const Piece& piece, input::Diagnostics& diagnostics);
 
 }  // namespace snug::mesh

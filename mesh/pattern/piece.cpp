@@ -54,7 +54,8 @@ Eigen::AlignedBox2d box(const Piece& piece) {
 }
 
 double corner_angle(const Piece& piece, int edge) {
-  const Vector2d back = -piece.edges[piece.previous(edge)].curve.last_direction(), on = piece.edges[edge].curve.first_direction();
+  const Vector2d back = -piece.edges[piece.previous(edge)].curve.last_direction(),
+                 on = piece.edges[edge].curve.first_direction();
   const double angle = std::atan2(on.x() * back.y() - on.y() * back.x(), on.dot(back));
   return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
 }

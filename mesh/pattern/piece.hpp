@@ -33,8 +33,8 @@ struct Notch {
   input::Location where = {};
 };
 
-/// Where a format puts a piece in space before it is sewn: x = rotation (p, 0) + translation, m, in the frame of the file. The
-/// outside of the cloth looks along the third column of the rotation.
+/// Where a format puts a piece in space before it is sewn: x = rotation (p, 0) + translation, m, in the frame of the
+/// file. The outside of the cloth looks along the third column of the rotation.
 struct GivenPlace {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
@@ -46,17 +46,17 @@ struct Piece {
   std::vector<PieceEdge> edges;
   std::vector<Loop> loops;
   std::vector<Notch> notches;
-  std::vector<PieceEdge> lines;             ///< drawn on the piece, without effect
-  Eigen::Vector2d grain = {0.0, 1.0};       ///< unit direction of the warp (grain line, wales)
+  std::vector<PieceEdge> lines;                ///< drawn on the piece, without effect
+  Eigen::Vector2d grain = {0.0, 1.0};          ///< unit direction of the warp (grain line, wales)
   std::optional<input::MaterialEntry> fabric;  ///< where it is not the pattern's
   std::optional<GivenPlace> place;
-  bool from_inside = false;                 ///< the file draws it from the other side: x has changed its sign
+  bool from_inside = false;  ///< the file draws it from the other side: x has changed its sign
   input::Location where = {};
 
   /// Index of an edge by its name, -1: none.
   int find(const std::string& edge) const;
   const Loop& loop_of(int edge) const;
-  int next(int edge) const;      ///< along its loop
+  int next(int edge) const;  ///< along its loop
   int previous(int edge) const;
 };
 
@@ -67,8 +67,8 @@ Eigen::AlignedBox2d box(const Piece& piece);
 /// rad, in [0, 2 pi): angle inside the cloth where an edge begins and its predecessor ends.
 double corner_angle(const Piece& piece, int edge);
 
-/// The piece seen from its other side: x changes its sign, its edges keep their order and direction, so that its loops run the
-/// other way round. Gives the image of its grain, lines and place, too.
+/// The piece seen from its other side: x changes its sign, its edges keep their order and direction, so that its loops
+/// run the other way round. Gives the image of its grain, lines and place, too.
 Piece flipped(const Piece& piece);
 /// Its loops walked the other way, from the last edge to the first; nothing else changes.
 Piece turned_round(const Piece& piece);

@@ -18,7 +18,9 @@ using Eigen::Vector2d;
 
 constexpr int gmsh_triangle3 = 2;
 
-double rounded(double length) { return std::round(1e9 * length) / 1e9; }  // the same piece in other units has the same mesh
+double rounded(double length) {
+  return std::round(1e9 * length) / 1e9;
+}  // the same piece in other units has the same mesh
 
 /// Points and lines of the polygons, one line a side. Gives gmsh's numbers of the points.
 std::vector<int> add_border(const std::vector<std::vector<Vector2d>>& loops, double cell_size) {
@@ -40,7 +42,8 @@ std::vector<int> add_border(const std::vector<std::vector<Vector2d>>& loops, dou
 }
 
 /// Our number of each of gmsh's nodes: the border's as given, then those inside.
-std::unordered_map<std::size_t, int> read_vertices(const std::vector<int>& points, const std::vector<std::vector<Vector2d>>& loops, PieceMesh& mesh) {
+std::unordered_map<std::size_t, int> read_vertices(const std::vector<int>& points,
+                                                   const std::vector<std::vector<Vector2d>>& loops, PieceMesh& mesh) {
   std::unordered_map<std::size_t, int> number;
   for (const auto& loop : loops) mesh.vertices.insert(mesh.vertices.end(), loop.begin(), loop.end());
   std::vector<std::size_t> tags;
@@ -51,7 +54,8 @@ std::unordered_map<std::size_t, int> read_vertices(const std::vector<int>& point
   }
   gmsh::model::mesh::getNodes(tags, x, parameters);
   for (std::size_t n = 0; n < tags.size(); ++n)
-    if (number.emplace(tags[n], static_cast<int>(mesh.vertices.size())).second) mesh.vertices.emplace_back(x[3 * n], x[3 * n + 1]);
+    if (number.emplace(tags[n], static_cast<int>(mesh.vertices.size())).second)
+      mesh.vertices.emplace_back(x[3 * n], x[3 * n + 1]);
   return number;
 }
 

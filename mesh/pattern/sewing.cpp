@@ -39,7 +39,8 @@ class Side {
     std::map<std::string, double> result;
     for (std::size_t n = 0; n < chain_.size(); ++n)
       for (const Notch& notch : pattern.pieces[chain_[n].piece].notches)
-        if (notch.edge == chain_[n].edge && notch.share >= chain_[n].from && notch.share <= chain_[n].to && !notch.name.empty()) {
+        if (notch.edge == chain_[n].edge && notch.share >= chain_[n].from && notch.share <= chain_[n].to &&
+            !notch.name.empty()) {
           const double inside = (notch.share - chain_[n].from) / (chain_[n].to - chain_[n].from);
           result[notch.name] = walked(ends_[n] + inside * (ends_[n + 1] - ends_[n]));
         }
@@ -85,8 +86,10 @@ void check_order(std::vector<Station>& stations, const Seam& seam) {
   std::sort(stations.begin(), stations.end());
   for (std::size_t n = 1; n < stations.size(); ++n)
     if (!(stations[n][1] > stations[n - 1][1] + 1e-12) || !(stations[n][0] > stations[n - 1][0] + 1e-12))
-      throw InputError(seam.where, "the notches or corners of the seam " + seam.name + " do not come in the same order on both sides",
-                       "see whether a side runs the other way, or a notch has the name of another");
+      throw InputError(
+          seam.where,
+          "the notches or corners of the seam " + seam.name + " do not come in the same order on both sides",
+          "see whether a side runs the other way, or a notch has the name of another");
 }
 
 void add_corners(const Side& a, const Side& b, std::vector<Station>& result) {
@@ -94,12 +97,14 @@ void add_corners(const Side& a, const Side& b, std::vector<Station>& result) {
   std::vector<double> of_b = b.corners();
   const double near = std::min(5e-3 / std::max(a.length(), b.length()), 0.02);
   const auto known = [&](double share, int side) {
-    return std::any_of(anchors.begin(), anchors.end(), [&](const Station& s) { return std::abs(s[side] - share) < 1e-9; });
+    return std::any_of(anchors.begin(), anchors.end(),
+                       [&](const Station& s) { return std::abs(s[side] - share) < 1e-9; });
   };
   for (const double corner : a.corners()) {
     if (known(corner, 0)) continue;
     double meets = across(anchors, corner, 1);
-    const auto nearest = std::min_element(of_b.begin(), of_b.end(), [&](double x, double y) { return std::abs(x - meets) < std::abs(y - meets); });
+    const auto nearest = std::min_element(
+        of_b.begin(), of_b.end(), [&](double x, double y) { return std::abs(x - meets) < std::abs(y - meets); });
     if (nearest != of_b.end() && std::abs(*nearest - meets) <= near && !known(*nearest, 1)) {
       meets = *nearest;
       of_b.erase(nearest);
@@ -126,10 +131,12 @@ ByEdge sewn_stretches(const Pattern& pattern) {
     const Side a(pattern, seam.a, false), b(pattern, seam.b, true);
     const std::vector<Station> places = stations(pattern, seam);
     for (std::size_t n = 1; n < places.size(); ++n, ++interval)
-      for (const EdgePart& part : {a.between(places[n - 1][0], places[n][0]), b.between(places[n - 1][1], places[n][1])})
+      for (const EdgePart& part :
+           {a.between(places[n - 1][0], places[n][0]), b.between(places[n - 1][1], places[n][1])})
         result[{part.piece, part.edge}].push_back({part, static_cast<int>(s), interval});
   }
-  for (auto& [edge, sewn] : result) std::sort(sewn.begin(), sewn.end(), [](const Sewn& x, const Sewn& y) { return x.part.from < y.part.from; });
+  for (auto& [edge, sewn] : result)
+    std::sort(sewn.begin(), sewn.end(), [](const Sewn& x, const Sewn& y) { return x.part.from < y.part.from; });
   return result;
 }
 
@@ -137,8 +144,11 @@ void refuse_twice(const Pattern& pattern, const std::vector<Sewn>& sewn) {
   for (std::size_t n = 1; n < sewn.size(); ++n) {
     if (sewn[n].part.from >= sewn[n - 1].part.to - same_share) continue;
     const Seam &one = pattern.seams[sewn[n - 1].seam], &other = pattern.seams[sewn[n].seam];
-    throw InputError(other.where, fmt::format("{} is sewn twice, by the seams {} and {}", name_of(pattern, sewn[n].part), one.name, other.name),
-                     "a stretch of an edge belongs to one seam; write a part of it, \"front.side[0..0.4]\", where only a part is sewn");
+    throw InputError(
+        other.where,
+        fmt::format("{} is sewn twice, by the seams {} and {}", name_of(pattern, sewn[n].part), one.name, other.name),
+        "a stretch of an edge belongs to one seam; write a part of it, \"front.side[0..0.4]\", where only a part is "
+        "sewn");
   }
 }
 
@@ -213,14 +223,16 @@ class Border {
 
 bool covers(const EdgeChain& chain, const EdgePart& stretch) {
   return std::any_of(chain.begin(), chain.end(), [&](const EdgePart& part) {
-    return part.piece == stretch.piece && part.edge == stretch.edge && part.from <= stretch.from + same_share && part.to >= stretch.to - same_share;
+    return part.piece == stretch.piece && part.edge == stretch.edge && part.from <= stretch.from + same_share &&
+           part.to >= stretch.to - same_share;
   });
 }
 
 /// Of the hem that has all of the loop, else of the hole, else of its edges where they share a name, else none.
 std::string given_name(const Pattern& pattern, const Sewing& sewing, const OpenLoop& loop) {
   const auto whole = [&](const Hem& hem) {
-    return std::all_of(loop.stretches.begin(), loop.stretches.end(), [&](int s) { return covers(hem.edges, sewing.stretches[s].part); });
+    return std::all_of(loop.stretches.begin(), loop.stretches.end(),
+                       [&](int s) { return covers(hem.edges, sewing.stretches[s].part); });
   };
   const auto hem = std::find_if(pattern.hems.begin(), pattern.hems.end(), whole);
   if (hem != pattern.hems.end()) return hem->name;
@@ -231,9 +243,13 @@ std::string given_name(const Pattern& pattern, const Sewing& sewing, const OpenL
     return one.piece == part.piece && &pattern.pieces[one.piece].loop_of(one.edge) == &border;
   };
   if (!border.name.empty() && std::all_of(loop.stretches.begin(), loop.stretches.end(), of_hole)) return border.name;
-  const auto edge = [&](int s) { return pattern.pieces[sewing.stretches[s].part.piece].edges[sewing.stretches[s].part.edge].name; };
+  const auto edge = [&](int s) {
+    return pattern.pieces[sewing.stretches[s].part.piece].edges[sewing.stretches[s].part.edge].name;
+  };
   const std::string first = edge(loop.stretches.front());
-  return std::all_of(loop.stretches.begin(), loop.stretches.end(), [&](int s) { return edge(s) == first; }) ? first : std::string();
+  return std::all_of(loop.stretches.begin(), loop.stretches.end(), [&](int s) { return edge(s) == first; })
+             ? first
+             : std::string();
 }
 
 void name_loops(const Pattern& pattern, Sewing& sewing) {
@@ -281,7 +297,8 @@ std::vector<Station> stations(const Pattern& pattern, const Seam& seam) {
 }
 
 double cloth_angle(const Pattern& pattern, const Stretch& stretch) {
-  return stretch.part.from > 0.0 ? std::numbers::pi : corner_angle(pattern.pieces[stretch.part.piece], stretch.part.edge);
+  return stretch.part.from > 0.0 ? std::numbers::pi
+                                 : corner_angle(pattern.pieces[stretch.part.piece], stretch.part.edge);
 }
 
 int next_open(const Pattern& pattern, const Sewing& sewing, int stretch, double& angle) {

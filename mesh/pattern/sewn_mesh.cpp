@@ -20,14 +20,17 @@ using input::InputError;
 class DividedBorder {
  public:
   DividedBorder(const CheckedPattern& checked, double cell_size) : pattern_(checked.pattern), sewing_(checked.sewing) {
-    for (std::size_t s = 0; s < sewing_.stretches.size(); ++s) divisions_.push_back(divisions(static_cast<int>(s), cell_size));
+    for (std::size_t s = 0; s < sewing_.stretches.size(); ++s)
+      divisions_.push_back(divisions(static_cast<int>(s), cell_size));
     for (const Stretch& stretch : sewing_.stretches) add(stretch);
     same_ = merged();
   }
 
   int count(int stretch) const { return divisions_[stretch]; }
   /// The k-th vertex of a stretch, from 0 to its count.
-  int vertex(int stretch, int k) const { return k < divisions_[stretch] ? first_[stretch] + k : first_[sewing_.stretches[stretch].next]; }
+  int vertex(int stretch, int k) const {
+    return k < divisions_[stretch] ? first_[stretch] + k : first_[sewing_.stretches[stretch].next];
+  }
   const Vector2d& place(int vertex) const { return places_[vertex]; }
   int representative(int vertex) const { return same_[vertex]; }
   int size() const { return static_cast<int>(places_.size()); }
@@ -64,7 +67,8 @@ class DividedBorder {
     const int count = divisions_[first_.size()];
     first_.push_back(static_cast<int>(places_.size()));
     const ArcLength along(pattern_.pieces[stretch.part.piece].edges[stretch.part.edge].curve);
-    for (int k = 0; k < count; ++k) places_.push_back(along.at(stretch.part.from + (stretch.part.to - stretch.part.from) * k / count));
+    for (int k = 0; k < count; ++k)
+      places_.push_back(along.at(stretch.part.from + (stretch.part.to - stretch.part.from) * k / count));
   }
 
   std::vector<int> merged() const {
@@ -86,7 +90,8 @@ class DividedBorder {
 /// Puts the meshes of the pieces together.
 class Assembly {
  public:
-  Assembly(const CheckedPattern& checked, double cell_size) : checked_(checked), cell_size_(cell_size), border_(checked, cell_size), node_(border_.size(), -1) {}
+  Assembly(const CheckedPattern& checked, double cell_size)
+      : checked_(checked), cell_size_(cell_size), border_(checked, cell_size), node_(border_.size(), -1) {}
 
   SewnMesh take() {
     for (std::size_t p = 0; p < checked_.pattern.pieces.size(); ++p) add_piece(static_cast<int>(p));
@@ -114,7 +119,8 @@ class Assembly {
     for (const Vector2d& x : piece_mesh.vertices) add_node(x, p);
     for (const auto& t : piece_mesh.triangles) {
       const std::array<int, 3> v = {first + t[0], first + t[1], first + t[2]};
-      mesh_.triangles.push_back({v[0], v[1], v[2], middle(v[0], v[1], p), middle(v[1], v[2], p), middle(v[2], v[0], p)});
+      mesh_.triangles.push_back(
+          {v[0], v[1], v[2], middle(v[0], v[1], p), middle(v[1], v[2], p), middle(v[2], v[0], p)});
       mesh_.triangle_piece.push_back(p);
       mesh_.warp.push_back(piece.grain);
       for (int n = 0; n < 3; ++n) sum_ += (mesh_.flat[v[n]] - mesh_.flat[v[(n + 1) % 3]]).norm();
@@ -123,7 +129,8 @@ class Assembly {
     mesh_.mean_edge = sum_ / (3.0 * static_cast<double>(mesh_.triangles.size()));
   }
 
-  PieceMesh meshed(const Piece& piece, const std::vector<std::vector<Vector2d>>& loops, const std::vector<int>& same) const {
+  PieceMesh meshed(const Piece& piece, const std::vector<std::vector<Vector2d>>& loops,
+                   const std::vector<int>& same) const {
     std::string reason;
     for (const auto& loop : loops)
       if (loop.size() < 3) reason = "a border of less than three sides";
@@ -133,8 +140,10 @@ class Assembly {
       } catch (const std::exception& error) {
         reason = error.what();
       }
-    throw InputError(piece.where, fmt::format("the piece {} cannot be meshed with cells of {:.3g} mm: {}", piece.name, 1e3 * cell_size_, reason),
-                     "take smaller cells where the piece is narrow, larger ones where it is large");
+    throw InputError(
+        piece.where,
+        fmt::format("the piece {} cannot be meshed with cells of {:.3g} mm: {}", piece.name, 1e3 * cell_size_, reason),
+        "take smaller cells where the piece is narrow, larger ones where it is large");
   }
 
   int add_node(const Vector2d& x, int piece) {
@@ -161,7 +170,8 @@ class Assembly {
   }
 
   bool covers(const EdgePart& part, const EdgePart& stretch) const {
-    return part.piece == stretch.piece && part.edge == stretch.edge && part.from <= stretch.from + 1e-6 && part.to >= stretch.to - 1e-6;
+    return part.piece == stretch.piece && part.edge == stretch.edge && part.from <= stretch.from + 1e-6 &&
+           part.to >= stretch.to - 1e-6;
   }
 
   /// Stretches of a chain, in order.
@@ -179,7 +189,8 @@ class Assembly {
       SewnSeam sewn{seam.name, {}};
       for (const int s : stretches_of(seam.a)) {
         const std::vector<int> a = nodes_of(s), b = nodes_of(checked_.sewing.stretches[s].partner);
-        for (std::size_t n = sewn.pairs.empty() ? 0 : 1; n < a.size(); ++n) sewn.pairs.push_back({a[n], b[b.size() - 1 - n]});
+        for (std::size_t n = sewn.pairs.empty() ? 0 : 1; n < a.size(); ++n)
+          sewn.pairs.push_back({a[n], b[b.size() - 1 - n]});
         for (std::size_t n = 0; n < a.size(); ++n) nodes.merge(a[n], b[b.size() - 1 - n]);
       }
       mesh_.seams.push_back(std::move(sewn));
@@ -199,7 +210,8 @@ class Assembly {
     const auto& pieces = checked_.pattern.pieces;
     for (std::size_t p = 0; p < pieces.size(); ++p)
       for (std::size_t e = 0; e < pieces[p].edges.size(); ++e)
-        mesh_.edges[pieces[p].name + "." + pieces[p].edges[e].name] = nodes_along(stretches_of({{static_cast<int>(p), static_cast<int>(e)}}));
+        mesh_.edges[pieces[p].name + "." + pieces[p].edges[e].name] =
+            nodes_along(stretches_of({{static_cast<int>(p), static_cast<int>(e)}}));
   }
 
   std::vector<int> representatives_along(const std::vector<int>& stretches, bool closed) const {
@@ -212,7 +224,8 @@ class Assembly {
   }
 
   void name_open() {
-    for (const OpenLoop& loop : checked_.sewing.open) mesh_.open[loop.name] = representatives_along(loop.stretches, true);
+    for (const OpenLoop& loop : checked_.sewing.open)
+      mesh_.open[loop.name] = representatives_along(loop.stretches, true);
     for (const Hem& hem : checked_.pattern.hems)
       if (!mesh_.open.contains(hem.name)) mesh_.open[hem.name] = representatives_along(stretches_of(hem.edges), false);
   }
@@ -245,12 +258,15 @@ SewnMesh mesh_pattern(const CheckedPattern& checked, double cell_size) {
   double perimeter = 0.0;
   for (const Stretch& stretch : checked.sewing.stretches) perimeter += stretch.length;
   if (!(cell_size > 0.0) || perimeter > 1e6 * cell_size)
-    throw InputError({.file = checked.pattern.file}, fmt::format("cells of {:.3g} mm for borders of {:.3g} m", 1e3 * cell_size, perimeter), "take larger cells");
+    throw InputError({.file = checked.pattern.file},
+                     fmt::format("cells of {:.3g} mm for borders of {:.3g} m", 1e3 * cell_size, perimeter),
+                     "take larger cells");
   return Assembly(checked, cell_size).take();
 }
 
 GarmentMesh garment_mesh(const SewnMesh& sewn, const std::vector<Eigen::Vector3d>& placed, const std::string& name) {
-  if (placed.size() != sewn.flat.size()) throw std::invalid_argument(fmt::format("{} places for {} nodes", placed.size(), sewn.flat.size()));
+  if (placed.size() != sewn.flat.size())
+    throw std::invalid_argument(fmt::format("{} places for {} nodes", placed.size(), sewn.flat.size()));
   for (std::size_t n = 0; n < placed.size(); ++n)
     if (placed[n] != placed[sewn.merged[n]]) throw std::invalid_argument("two nodes of a seam stand in two places");
   GarmentMesh mesh;

@@ -20,16 +20,22 @@ struct Hint {
   int stitch = 0;
 };
 
-const PieceEdge& edge_of(const Pattern& pattern, const EdgePart& part) { return pattern.pieces[part.piece].edges[part.edge]; }
+const PieceEdge& edge_of(const Pattern& pattern, const EdgePart& part) {
+  return pattern.pieces[part.piece].edges[part.edge];
+}
 
-Vector3d in_space(const Piece& piece, const Vector2d& p) { return piece.place->rotation * Vector3d(p.x(), p.y(), 0.0) + piece.place->translation; }
+Vector3d in_space(const Piece& piece, const Vector2d& p) {
+  return piece.place->rotation * Vector3d(p.x(), p.y(), 0.0) + piece.place->translation;
+}
 
 /// 1: the sides run together, -1: against each other; by the distances of their ends in space.
 std::optional<Hint> by_places(const Pattern& pattern, const Stitch& stitch) {
   const Piece &a = pattern.pieces[stitch.a[0].piece], &b = pattern.pieces[stitch.b[0].piece];
   if (!a.place || !b.place) return std::nullopt;
-  const Vector3d a0 = in_space(a, edge_of(pattern, stitch.a.front()).curve.begin()), a1 = in_space(a, edge_of(pattern, stitch.a.back()).curve.end());
-  const Vector3d b0 = in_space(b, edge_of(pattern, stitch.b.front()).curve.begin()), b1 = in_space(b, edge_of(pattern, stitch.b.back()).curve.end());
+  const Vector3d a0 = in_space(a, edge_of(pattern, stitch.a.front()).curve.begin()),
+                 a1 = in_space(a, edge_of(pattern, stitch.a.back()).curve.end());
+  const Vector3d b0 = in_space(b, edge_of(pattern, stitch.b.front()).curve.begin()),
+                 b1 = in_space(b, edge_of(pattern, stitch.b.back()).curve.end());
   const double together = (a0 - b0).norm() + (a1 - b1).norm(), against = (a0 - b1).norm() + (a1 - b0).norm();
   const double clear = std::abs(together - against) / (together + against + 1e-9);
   if (clear < 0.05) return std::nullopt;
@@ -45,7 +51,8 @@ std::optional<Hint> by_lengths(const Pattern& pattern, const Stitch& stitch) {
     together += std::abs(one - length(pattern, stitch.b[n]));
     against += std::abs(one - length(pattern, stitch.b[count - 1 - n]));
   }
-  const double whole = length(pattern, stitch.a), less = std::min(together, against), more = std::max(together, against);
+  const double whole = length(pattern, stitch.a), less = std::min(together, against),
+               more = std::max(together, against);
   if (more < 0.05 * whole || less > 0.3 * more) return std::nullopt;
   return Hint{.alike = together < against ? 1 : -1, .weight = 1.0 + std::min(0.9, more / whole)};
 }
@@ -64,7 +71,8 @@ std::vector<Hint> hints(const Pattern& pattern, const std::vector<Stitch>& stitc
   std::vector<Hint> result;
   for (std::size_t s = 0; s < stitches.size(); ++s) {
     if (stitches[s].a[0].piece == stitches[s].b[0].piece) continue;  // of one piece: one side runs against the other
-    for (const auto& found : {by_places(pattern, stitches[s]), by_lengths(pattern, stitches[s]), by_drawing(pattern, stitches[s])}) {
+    for (const auto& found :
+         {by_places(pattern, stitches[s]), by_lengths(pattern, stitches[s]), by_drawing(pattern, stitches[s])}) {
       if (!found) continue;
       Hint hint = *found;
       hint.alike = -hint.alike;  // sides that run together: outlines that run unlike
@@ -99,7 +107,8 @@ class Groups {
 
 bool runs_left(const Piece& piece) { return area(piece) > 0.0; }
 
-/// Whether the side of a placed piece from which its outline runs counter-clockwise looks away from the middle of the garment.
+/// Whether the side of a placed piece from which its outline runs counter-clockwise looks away from the middle of the
+/// garment.
 bool looks_out(const Pattern& pattern, const Piece& piece) {
   Vector3d middle = Vector3d::Zero();
   int placed = 0;
@@ -109,8 +118,8 @@ bool looks_out(const Pattern& pattern, const Piece& piece) {
   return normal.dot(in_space(piece, box(piece).center()) - middle / placed) > 0.0;
 }
 
-/// The sign of a whole group: most placed outlines run counter-clockwise seen from the outside, most drawings show the outside.
-/// Where as many say the one as the other: outsides look away from the middle, and the first drawing shows it.
+/// The sign of a whole group: most placed outlines run counter-clockwise seen from the outside, most drawings show the
+/// outside. Where as many say the one as the other: outsides look away from the middle, and the first drawing shows it.
 int sign_of(const Pattern& pattern, const Groups& groups, int group) {
   int votes = 0, first = 0;
   for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
@@ -124,10 +133,11 @@ int sign_of(const Pattern& pattern, const Groups& groups, int group) {
 }
 
 [[noreturn]] void refuse_inside_out(const Pattern& pattern, const Stitch& stitch, int piece, int other) {
-  throw input::InputError(pattern.pieces[piece].where,
-                          fmt::format("the piece {} is inside out: the stitch {} to {} twists, as its outline runs and as it is placed", pattern.pieces[piece].name,
-                                      stitch.name, pattern.pieces[other].name),
-                          "let the edges of every panel run counter-clockwise as seen from the outside of the garment");
+  throw input::InputError(
+      pattern.pieces[piece].where,
+      fmt::format("the piece {} is inside out: the stitch {} to {} twists, as its outline runs and as it is placed",
+                  pattern.pieces[piece].name, stitch.name, pattern.pieces[other].name),
+      "let the edges of every panel run counter-clockwise as seen from the outside of the garment");
 }
 
 }  // namespace
@@ -144,7 +154,8 @@ std::vector<int> outline_directions(const Pattern& pattern, const std::vector<St
   }
   for (const Hint& hint : all) {  // a place in space says which way the outline runs
     if (hint.weight < 2.0) continue;
-    if (groups.alike(hint.a, hint.b) != hint.alike || result[hint.a] < 0) refuse_inside_out(pattern, stitches[hint.stitch], hint.a, hint.b);
+    if (groups.alike(hint.a, hint.b) != hint.alike || result[hint.a] < 0)
+      refuse_inside_out(pattern, stitches[hint.stitch], hint.a, hint.b);
     if (result[hint.b] < 0) refuse_inside_out(pattern, stitches[hint.stitch], hint.b, hint.a);
   }
   return result;

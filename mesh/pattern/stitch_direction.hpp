@@ -14,10 +14,10 @@ struct Stitch {
   std::string name = {};
 };
 
-/// For each piece 1 when its outline as listed runs counter-clockwise seen from the outside, else -1. Both outsides are the
-/// garment's where the sides of a seam run against each other. That they run together or against each other is told by the places of the pieces
-/// in space, by the lengths of several edges on each side, and by the drawings, which stand upright. Throws
-/// input::InputError where places in space contradict each other: a piece is inside out.
+/// For each piece 1 when its outline as listed runs counter-clockwise seen from the outside, else -1. Both outsides are
+/// the garment's where the sides of a seam run against each other. That they run together or against each other is told
+/// by the places of the pieces in space, by the lengths of several edges on each side, and by the drawings, which stand
+/// upright. Throws input::InputError where places in space contradict each other: a piece is inside out.
 std::vector<int> outline_directions(const Pattern& pattern, const std::vector<Stitch>& stitches);
 
 }  // namespace snug::mesh

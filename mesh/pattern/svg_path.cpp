@@ -28,7 +28,8 @@ Span elliptic_arc(const Vector2d& from, const Vector2d& to, Vector2d radii, doub
   double angle = std::atan2(end.y(), end.x()) - first;
   if (sweep && angle < 0.0) angle += full;
   if (!sweep && angle > 0.0) angle -= full;
-  return Arc{0.5 * (from + to) + rotation * Vector2d(centre.cwiseProduct(radii)), rotation * Vector2d(radii.x(), 0.0), rotation * Vector2d(0.0, radii.y()), first, first + angle};
+  return Arc{0.5 * (from + to) + rotation * Vector2d(centre.cwiseProduct(radii)), rotation * Vector2d(radii.x(), 0.0),
+             rotation * Vector2d(0.0, radii.y()), first, first + angle};
 }
 
 class Parser {
@@ -38,9 +39,12 @@ class Parser {
   std::vector<Curve> parse(std::string& fault) {
     char command = 0;
     for (skip(); at_ < data_.size(); skip()) {
-      if (std::isalpha(static_cast<unsigned char>(data_[at_]))) command = data_[at_++];
-      else if (command == 'M') command = 'L';
-      else if (command == 'm') command = 'l';
+      if (std::isalpha(static_cast<unsigned char>(data_[at_])))
+        command = data_[at_++];
+      else if (command == 'M')
+        command = 'L';
+      else if (command == 'm')
+        command = 'l';
       else if (command == 0 || command == 'Z' || command == 'z') {
         fault = "path data begins with no command";
         break;
@@ -105,17 +109,29 @@ class Parser {
     const Vector2d reflected = 2.0 * here_ - control_;
     const char before = std::exchange(before_, kind);
     switch (kind) {
-      case 'Z': close(); return true;
-      case 'M': return move(relative);
-      case 'L': return line(point(relative));
-      case 'H': return straight(relative, 0);
-      case 'V': return straight(relative, 1);
-      case 'C': return cubic(point(relative), relative);
-      case 'S': return cubic(before == 'C' || before == 'S' ? reflected : here_, relative);
-      case 'Q': return quadratic(point(relative), relative);
-      case 'T': return quadratic(before == 'Q' || before == 'T' ? reflected : here_, relative);
-      case 'A': return arc(relative);
-      default: return false;
+      case 'Z':
+        close();
+        return true;
+      case 'M':
+        return move(relative);
+      case 'L':
+        return line(point(relative));
+      case 'H':
+        return straight(relative, 0);
+      case 'V':
+        return straight(relative, 1);
+      case 'C':
+        return cubic(point(relative), relative);
+      case 'S':
+        return cubic(before == 'C' || before == 'S' ? reflected : here_, relative);
+      case 'Q':
+        return quadratic(point(relative), relative);
+      case 'T':
+        return quadratic(before == 'Q' || before == 'T' ? reflected : here_, relative);
+      case 'A':
+        return arc(relative);
+      default:
+        return false;
     }
   }
 
@@ -152,7 +168,8 @@ class Parser {
   }
   bool arc(bool relative) {
     const auto radii = point(false);
-    const auto turn = radii ? number() : std::nullopt, large = turn ? flag() : std::nullopt, sweep = large ? flag() : std::nullopt;
+    const auto turn = radii ? number() : std::nullopt, large = turn ? flag() : std::nullopt,
+               sweep = large ? flag() : std::nullopt;
     const auto to = sweep ? point(relative) : std::nullopt;
     if (!to) return false;
     add(elliptic_arc(here_, *to, *radii, *turn, *large != 0.0, *sweep != 0.0));

@@ -36,7 +36,8 @@ std::vector<double> numbers(std::string_view text) {
 
 /// m; nothing where the text has no length as its unit.
 std::optional<double> physical(const std::string& text) {
-  const std::map<std::string, double> units = {{"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"pt", 0.0254 / 72.0}, {"pc", 0.0254 / 6.0}};
+  const std::map<std::string, double> units = {
+      {"mm", 1e-3}, {"cm", 1e-2}, {"in", 0.0254}, {"pt", 0.0254 / 72.0}, {"pc", 0.0254 / 6.0}};
   if (text.size() < 3) return std::nullopt;
   const auto unit = units.find(text.substr(text.size() - 2));
   const auto value = numbers(std::string_view(text).substr(0, text.size() - 2));
@@ -79,19 +80,29 @@ Location place(const std::string& text, std::ptrdiff_t offset, const std::string
 
 class Drawing {
  public:
-  Drawing(const std::string& text, const std::string& file, Diagnostics& diagnostics) : text_(text), diagnostics_(diagnostics) { pattern_.file = file; }
+  Drawing(const std::string& text, const std::string& file, Diagnostics& diagnostics)
+      : text_(text), diagnostics_(diagnostics) {
+    pattern_.file = file;
+  }
 
   Pattern pattern() {
     pugi::xml_document document;
     const pugi::xml_parse_result result = document.load_buffer(text_.data(), text_.size());
-    if (!result) throw input::InputError(place(text_, result.offset, pattern_.file), std::string("no SVG: ") + result.description(), "take a drawing that a program has saved as SVG");
+    if (!result)
+      throw input::InputError(place(text_, result.offset, pattern_.file),
+                              std::string("no SVG: ") + result.description(),
+                              "take a drawing that a program has saved as SVG");
     const pugi::xml_node root = document.child("svg");
-    if (!root) throw input::InputError({.file = pattern_.file}, "there is no <svg>", "take a drawing that a program has saved as SVG");
+    if (!root)
+      throw input::InputError({.file = pattern_.file}, "there is no <svg>",
+                              "take a drawing that a program has saved as SVG");
     pattern_.title = root.child("title").text().as_string();
     const Affine2d map = scale(root);
     only_outlines_ = has_outline(root, 0);
     walk(root, map, 0);
-    if (pattern_.pieces.empty()) diagnostics_.error({.file = pattern_.file}, "there is no closed path", "draw each piece as one closed path or polygon");
+    if (pattern_.pieces.empty())
+      diagnostics_.error({.file = pattern_.file}, "there is no closed path",
+                         "draw each piece as one closed path or polygon");
     diagnostics_.throw_if_any();
     return std::move(pattern_);
   }
@@ -101,22 +112,28 @@ class Drawing {
 
   /// From units of the drawing, y down, to m, y up.
   Affine2d scale(const pugi::xml_node& root) const {
-    const auto width = physical(root.attribute("width").as_string()), height = physical(root.attribute("height").as_string());
+    const auto width = physical(root.attribute("width").as_string()),
+               height = physical(root.attribute("height").as_string());
     const std::vector<double> view = numbers(root.attribute("viewBox").as_string());
     if (!width || !height)
-      throw input::InputError(where(root), "the drawing does not say how large it is", "give the <svg> width and height with a length as unit: width=\"600mm\" height=\"900mm\"");
+      throw input::InputError(
+          where(root), "the drawing does not say how large it is",
+          "give the <svg> width and height with a length as unit: width=\"600mm\" height=\"900mm\"");
     double unit = 0.0254 / 96.0;  // without a view box: of CSS
     if (view.size() == 4 && view[2] > 0.0 && view[3] > 0.0) {
       unit = *width / view[2];
       if (std::abs(*height / view[3] - unit) > 0.01 * unit)
-        throw input::InputError(where(root), "width and height ask for two scales of the viewBox", "let both have the viewBox's proportions");
+        throw input::InputError(where(root), "width and height ask for two scales of the viewBox",
+                                "let both have the viewBox's proportions");
     }
     Affine2d map = Affine2d::Identity();
     map.linear() = Vector2d(unit, -unit).asDiagonal();
     return map;
   }
 
-  static bool is_outline(const pugi::xml_node& node) { return std::string_view(node.attribute("class").as_string()) == "outline"; }
+  static bool is_outline(const pugi::xml_node& node) {
+    return std::string_view(node.attribute("class").as_string()) == "outline";
+  }
   bool has_outline(const pugi::xml_node& node, int depth) const {
     for (const pugi::xml_node& child : node.children())
       if (is_outline(child) || (depth < 50 && has_outline(child, depth + 1))) return true;
@@ -126,12 +143,16 @@ class Drawing {
   void walk(const pugi::xml_node& node, const Affine2d& map, int depth) {
     for (const pugi::xml_node& child : node.children()) {
       const std::string_view name = child.name();
-      if (name == "defs" || name == "clipPath" || name == "mask" || name == "symbol" || name == "pattern" || name == "marker") continue;
+      if (name == "defs" || name == "clipPath" || name == "mask" || name == "symbol" || name == "pattern" ||
+          name == "marker")
+        continue;
       Affine2d inner = map;
       if (!transform(child, inner)) continue;
       if (name == "g" || name == "svg" || name == "a") {
-        if (depth < 50) walk(child, inner, depth + 1);
-        else diagnostics_.error(where(child), "groups nested more than 50 deep", "take them apart");
+        if (depth < 50)
+          walk(child, inner, depth + 1);
+        else
+          diagnostics_.error(where(child), "groups nested more than 50 deep", "take them apart");
       }
       if (only_outlines_ && !is_outline(child)) continue;
       if (name == "path") add(child, child.attribute("d").as_string(), inner);
@@ -141,12 +162,14 @@ class Drawing {
 
   bool transform(const pugi::xml_node& node, Affine2d& map) {
     const std::string text = node.attribute("transform").as_string();
-    for (std::size_t at = text.find_first_not_of(" \t\r\n,"); at < text.size(); at = text.find_first_not_of(" \t\r\n,", at)) {
+    for (std::size_t at = text.find_first_not_of(" \t\r\n,"); at < text.size();
+         at = text.find_first_not_of(" \t\r\n,", at)) {
       const auto open = text.find('(', at), close = text.find(')', at);
       const bool whole = open != std::string::npos && close != std::string::npos && open < close;
       const std::string name = whole ? text.substr(at, text.find_first_of(" (", at) - at) : std::string();
       if (!whole || !apply(name, numbers(std::string_view(text).substr(open + 1, close - open - 1)), map)) {
-        diagnostics_.error(where(node), "the transform \"" + text + "\"", "write translate, scale, rotate, skewX, skewY or matrix with their numbers");
+        diagnostics_.error(where(node), "the transform \"" + text + "\"",
+                           "write translate, scale, rotate, skewX, skewY or matrix with their numbers");
         return false;
       }
       at = close + 1;
@@ -162,9 +185,12 @@ class Drawing {
       std::erase_if(curve.spans, [](const Span& span) { return ArcLength({{span}}).length() < 1e-7; });
       if (!curve.spans.empty() && (curve.begin() - curve.end()).norm() < 1e-5) closed.push_back(std::move(curve));
     }
-    if (!fault.empty()) return diagnostics_.error(where(node), "the path stops at what cannot be read: " + fault, "write path data of SVG");
+    if (!fault.empty())
+      return diagnostics_.error(where(node), "the path stops at what cannot be read: " + fault,
+                                "write path data of SVG");
     if (closed.empty()) return;  // a line in the drawing
-    std::stable_sort(closed.begin(), closed.end(), [](const Curve& a, const Curve& b) { return std::abs(swept_area(a)) > std::abs(swept_area(b)); });
+    std::stable_sort(closed.begin(), closed.end(),
+                     [](const Curve& a, const Curve& b) { return std::abs(swept_area(a)) > std::abs(swept_area(b)); });
     Piece piece;
     piece.name = name_of(node), piece.where = where(node);
     for (std::size_t n = 0; n < closed.size(); ++n) {

@@ -24,11 +24,15 @@ bool check_points(const EdgeInput& edge, Diagnostics& diagnostics) {
   const std::size_t least = edge.kind == EdgeKind::arc || edge.kind == EdgeKind::spline ? 1 : 0;
   const bool through = edge.kind == EdgeKind::spline ? edge.through.size() >= least : edge.through.size() == least;
   if (edge.control.size() != controls)
-    diagnostics.error(edge.where, fmt::format("the edge {} is a {} with {} control points", edge.name, kind_text(edge), edge.control.size()),
-                      "give a line, an arc and a spline none, a quadratic one, a cubic two: control = [[x, y], ...]");
+    diagnostics.error(
+        edge.where,
+        fmt::format("the edge {} is a {} with {} control points", edge.name, kind_text(edge), edge.control.size()),
+        "give a line, an arc and a spline none, a quadratic one, a cubic two: control = [[x, y], ...]");
   if (!through)
-    diagnostics.error(edge.where, fmt::format("the edge {} is a {} through {} points", edge.name, kind_text(edge), edge.through.size()),
-                      "give an arc one, a spline one or more, other kinds none: through = [[x, y], ...]");
+    diagnostics.error(
+        edge.where,
+        fmt::format("the edge {} is a {} through {} points", edge.name, kind_text(edge), edge.through.size()),
+        "give an arc one, a spline one or more, other kinds none: through = [[x, y], ...]");
   return edge.control.size() == controls && through;
 }
 
@@ -43,11 +47,16 @@ class Drawing {
     const Vector2d from = point(edge.from), to = point(edge.to.value_or(end));
     if (!check_points(edge, diagnostics_)) return {{Line{from, to}}};
     switch (edge.kind) {
-      case EdgeKind::arc: return {{arc_through(from, point(edge.through[0]), to)}};
-      case EdgeKind::quadratic: return {{Quadratic{from, point(edge.control[0]), to}}};
-      case EdgeKind::cubic: return {{Cubic{from, point(edge.control[0]), point(edge.control[1]), to}}};
-      case EdgeKind::spline: return spline(edge, from, to);
-      default: return {{Line{from, to}}};
+      case EdgeKind::arc:
+        return {{arc_through(from, point(edge.through[0]), to)}};
+      case EdgeKind::quadratic:
+        return {{Quadratic{from, point(edge.control[0]), to}}};
+      case EdgeKind::cubic:
+        return {{Cubic{from, point(edge.control[0]), point(edge.control[1]), to}}};
+      case EdgeKind::spline:
+        return spline(edge, from, to);
+      default:
+        return {{Line{from, to}}};
     }
   }
 
@@ -57,9 +66,12 @@ class Drawing {
     loop.begin = static_cast<int>(piece.edges.size()), loop.name = prefix;
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const EdgeInput& edge = edges[e];
-      const std::string name = !edge.name.empty() ? edge.name : fmt::format("{}{}", prefix.empty() ? "edge" : prefix + " edge", e + 1);
+      const std::string name =
+          !edge.name.empty() ? edge.name : fmt::format("{}{}", prefix.empty() ? "edge" : prefix + " edge", e + 1);
       if (name.find_first_of(".[]+\"\n") != std::string::npos)
-        diagnostics_.error(edge.where, "the name of the edge " + name + " has a mark that parts of edges are written with", "leave . [ ] + and quotes out of it");
+        diagnostics_.error(edge.where,
+                           "the name of the edge " + name + " has a mark that parts of edges are written with",
+                           "leave . [ ] + and quotes out of it");
       piece.edges.push_back({name, curve(edge, edges[(e + 1) % edges.size()].from), edge.where});
     }
     loop.end = static_cast<int>(piece.edges.size());
@@ -73,7 +85,10 @@ class Drawing {
     points.push_back(to);
     for (std::size_t n = 1; n < points.size(); ++n)
       if (const double apart = (points[n] - points[n - 1]).norm(); !(apart > 1e-6 && apart < 1e3)) {
-        diagnostics_.error(edge.where, "the spline " + edge.name + (apart < 1e3 ? " has a point twice" : " has a point a kilometre away"), "give points that lie apart, in the unit of the file");
+        diagnostics_.error(
+            edge.where,
+            "the spline " + edge.name + (apart < 1e3 ? " has a point twice" : " has a point a kilometre away"),
+            "give points that lie apart, in the unit of the file");
         return {{Line{from, to}}};
       }
     return edge.order == 2 ? quadratic_spline(points) : cubic_spline(points);
@@ -104,11 +119,16 @@ void add_notches(const PieceInput& input, const Drawing& drawing, Piece& piece, 
   for (const NotchInput& notch : input.notches) {
     const int edge = piece.find(notch.edge);
     if (edge < 0) {
-      diagnostics.error(notch.where, fmt::format("the notch {} stands on \"{}\", which is no edge of {}", notch.name, notch.edge, piece.name), "name one of its edges");
+      diagnostics.error(
+          notch.where,
+          fmt::format("the notch {} stands on \"{}\", which is no edge of {}", notch.name, notch.edge, piece.name),
+          "name one of its edges");
       continue;
     }
     if (notch.at.has_value() == notch.point.has_value()) {
-      diagnostics.error(notch.where, fmt::format("the notch {} has {} place", notch.name, notch.at ? "more than one" : "no"), "write at = 0.5 or point = [x, y]");
+      diagnostics.error(notch.where,
+                        fmt::format("the notch {} has {} place", notch.name, notch.at ? "more than one" : "no"),
+                        "write at = 0.5 or point = [x, y]");
       continue;
     }
     const ArcLength along(piece.edges[edge].curve);
@@ -116,7 +136,9 @@ void add_notches(const PieceInput& input, const Drawing& drawing, Piece& piece, 
     if (notch.point) {
       const double off = (along.at(share) - drawing.point(*notch.point)).norm();
       if (off > 1e-3)
-        diagnostics.error(notch.where, fmt::format("the notch {} of {} stands {:.1f} mm off the edge {}", notch.name, piece.name, 1e3 * off, notch.edge),
+        diagnostics.error(notch.where,
+                          fmt::format("the notch {} of {} stands {:.1f} mm off the edge {}", notch.name, piece.name,
+                                      1e3 * off, notch.edge),
                           "a notch is at most 1 mm off its edge");
     }
     piece.notches.push_back({notch.name, edge, share, notch.where});
@@ -126,14 +148,19 @@ void add_notches(const PieceInput& input, const Drawing& drawing, Piece& piece, 
 void set_grain(const PieceInput& input, const Drawing& drawing, Piece& piece, Diagnostics& diagnostics) {
   if (!input.grain) return;
   const Vector2d along = drawing.point((*input.grain)[1]) - drawing.point((*input.grain)[0]);
-  if (along.norm() > 1e-6) piece.grain = along.normalized();
-  else diagnostics.error(input.where, "the grain line of " + piece.name + " has no length", "give two points that lie apart: grain = [[0, 0], [0, 100]]");
+  if (along.norm() > 1e-6)
+    piece.grain = along.normalized();
+  else
+    diagnostics.error(input.where, "the grain line of " + piece.name + " has no length",
+                      "give two points that lie apart: grain = [[0, 0], [0, 100]]");
 }
 
 void add_lines(const PieceInput& input, const Drawing& drawing, Piece& piece, Diagnostics& diagnostics) {
   for (const EdgeInput& line : input.lines) {
-    if (!line.to) diagnostics.error(line.where, "the inner line " + line.name + " does not say where it ends", "add to = [x, y]");
-    else piece.lines.push_back({line.name, drawing.curve(line, *line.to), line.where});
+    if (!line.to)
+      diagnostics.error(line.where, "the inner line " + line.name + " does not say where it ends", "add to = [x, y]");
+    else
+      piece.lines.push_back({line.name, drawing.curve(line, *line.to), line.where});
   }
 }
 
@@ -141,11 +168,14 @@ Piece drawn_piece(const PieceInput& input, const Drawing& drawing, Diagnostics& 
   Piece piece;
   piece.name = input.name, piece.where = input.where;
   if (input.edges.size() < 2)
-    diagnostics.error(input.where, fmt::format("the piece {} has {} edges", input.name, input.edges.size()), "give its outline at least two: edges = [{ name = \"hem\", from = [0, 0] }, ...]");
+    diagnostics.error(input.where, fmt::format("the piece {} has {} edges", input.name, input.edges.size()),
+                      "give its outline at least two: edges = [{ name = \"hem\", from = [0, 0] }, ...]");
   drawing.add_loop(input.edges, {}, piece);
   for (const HoleInput& hole : input.holes) {
-    if (hole.edges.size() < 2) diagnostics.error(hole.where, "the hole " + hole.name + " has less than two edges", "give two or more");
-    else drawing.add_loop(hole.edges, hole.name, piece);
+    if (hole.edges.size() < 2)
+      diagnostics.error(hole.where, "the hole " + hole.name + " has less than two edges", "give two or more");
+    else
+      drawing.add_loop(hole.edges, hole.name, piece);
   }
   turn_holes(input.seen_from == SeenFrom::inside, piece);
   set_grain(input, drawing, piece, diagnostics);
@@ -159,9 +189,13 @@ Piece mirror_image(const PieceInput& input, const Pattern& pattern, Diagnostics&
   Piece piece;
   piece.name = input.name, piece.where = input.where;
   const int of = pattern.find(input.mirror_of);
-  const bool drawn = !input.edges.empty() || !input.holes.empty() || !input.notches.empty() || !input.darts.empty() || !input.lines.empty();
-  if (of < 0) diagnostics.error(input.where, "there is no piece \"" + input.mirror_of + "\" above " + input.name, "mirror_of names a piece that stands before it");
-  if (drawn) diagnostics.error(input.where, input.name + " is a mirror image and is drawn, too", "leave out one of them");
+  const bool drawn = !input.edges.empty() || !input.holes.empty() || !input.notches.empty() || !input.darts.empty() ||
+                     !input.lines.empty();
+  if (of < 0)
+    diagnostics.error(input.where, "there is no piece \"" + input.mirror_of + "\" above " + input.name,
+                      "mirror_of names a piece that stands before it");
+  if (drawn)
+    diagnostics.error(input.where, input.name + " is a mirror image and is drawn, too", "leave out one of them");
   if (of < 0 || drawn) return piece;
   piece = turned_round(flipped(pattern.pieces[of]));
   piece.name = input.name, piece.where = input.where, piece.from_inside = false;
@@ -170,14 +204,17 @@ Piece mirror_image(const PieceInput& input, const Pattern& pattern, Diagnostics&
 
 void add_piece(const PieceInput& input, const Drawing& drawing, Pattern& pattern, Diagnostics& diagnostics) {
   if (input.name.empty() || input.name.find_first_of(".[]+\"\n") != std::string::npos)
-    diagnostics.error(input.where, "\"" + input.name + "\" is no name for a piece", "write a name without . [ ] + and quotes");
-  Piece piece = input.mirror_of.empty() ? drawn_piece(input, drawing, diagnostics) : mirror_image(input, pattern, diagnostics);
+    diagnostics.error(input.where, "\"" + input.name + "\" is no name for a piece",
+                      "write a name without . [ ] + and quotes");
+  Piece piece =
+      input.mirror_of.empty() ? drawn_piece(input, drawing, diagnostics) : mirror_image(input, pattern, diagnostics);
   if (input.fabric) piece.fabric = input.fabric;
   pattern.pieces.push_back(std::move(piece));
 }
 
 /// Darts are seams; a mirror image has those of its piece.
-void add_darts(const std::vector<PieceInput>& pieces, const PieceInput& drawn, const std::string& name, Pattern& pattern, Diagnostics& diagnostics) {
+void add_darts(const std::vector<PieceInput>& pieces, const PieceInput& drawn, const std::string& name,
+               Pattern& pattern, Diagnostics& diagnostics) {
   for (std::size_t n = 0; n < drawn.darts.size(); ++n) {
     const DartInput& dart = drawn.darts[n];
     Seam seam;
@@ -188,7 +225,8 @@ void add_darts(const std::vector<PieceInput>& pieces, const PieceInput& drawn, c
     pattern.seams.push_back(seam);
   }
   if (drawn.mirror_of.empty()) return;
-  const auto of = std::find_if(pieces.begin(), pieces.end(), [&](const PieceInput& p) { return p.name == drawn.mirror_of; });
+  const auto of =
+      std::find_if(pieces.begin(), pieces.end(), [&](const PieceInput& p) { return p.name == drawn.mirror_of; });
   if (of != pieces.end() && of->name != drawn.name) add_darts(pieces, *of, name, pattern, diagnostics);
 }
 
@@ -201,19 +239,23 @@ void add_seams(const PatternInput& input, Pattern& pattern, Diagnostics& diagnos
     seam.ease = one.ease, seam.where = one.where;
     pattern.seams.push_back(seam);
   }
-  for (const HemInput& one : input.hems) pattern.hems.push_back({one.name, edge_chain(one.edges, pattern, one.where, diagnostics), one.where});
+  for (const HemInput& one : input.hems)
+    pattern.hems.push_back({one.name, edge_chain(one.edges, pattern, one.where, diagnostics), one.where});
 }
 
 }  // namespace
 
-Pattern parse_toml_pattern(const std::string& text, const std::string& shown_as, const std::function<Pattern(const std::string&)>& read_drawing) {
+Pattern parse_toml_pattern(const std::string& text, const std::string& shown_as,
+                           const std::function<Pattern(const std::string&)>& read_drawing) {
   Diagnostics diagnostics;
   const input::Table table = input::parse_text(text, {shown_as, 1, 1}, diagnostics);
   const auto read = diagnostics.any() ? PatternInput{} : input::read<PatternInput>(table, diagnostics);
   diagnostics.throw_if_any();
   Pattern pattern;
   if (!read.drawing.empty()) {
-    if (!read_drawing) throw input::InputError(table.where_is("drawing"), "a drawing cannot be read here", "name the pieces in this file");
+    if (!read_drawing)
+      throw input::InputError(table.where_is("drawing"), "a drawing cannot be read here",
+                              "name the pieces in this file");
     pattern.pieces = read_drawing(read.drawing).pieces;
   }
   pattern.title = read.title, pattern.file = shown_as, pattern.fabric = read.fabric;

@@ -26,12 +26,15 @@ class PatternCommand : public Command {
   std::string summary() const override { return "draws, checks and grades the pieces of a sewing pattern"; }
 
   void declare(CLI::App& app) override {
-    app.add_option("FILE", file_, "pattern: .toml (ours, docs/patterns.md), .json (GarmentCode), .dxf (AAMA, ASTM) or .svg (outlines)")->required();
+    app.add_option("FILE", file_,
+                   "pattern: .toml (ours, docs/patterns.md), .json (GarmentCode), .dxf (AAMA, ASTM) or .svg (outlines)")
+        ->required();
     app.add_option("--out", out_, "folder for the drawing, NAME.svg")->capture_default_str();
     app.add_option("--grade", grade_, "GIRTH LENGTH: stretch every piece across and along by these factors, 0.96 1.02")
         ->expected(2)
         ->check(CLI::Range(0.2, 5.0));
-    app.add_option("--write", write_, "also write the pattern, graded where that is asked for, as this file: .json (GarmentCode)");
+    app.add_option("--write", write_,
+                   "also write the pattern, graded where that is asked for, as this file: .json (GarmentCode)");
     app.add_option("--cells", cells_, "mesh the pieces with cells of this size (\"8 mm\"), count and draw them");
   }
 
@@ -61,12 +64,14 @@ class PatternCommand : public Command {
   double cell_size() const {
     const input::Quantity size = input::to_si(cells_, "m");
     if (size.ok() && size.value > 0.0) return size.value;
-    throw input::InputError({.file = "--cells"}, size.ok() ? "\"" + cells_ + "\" is no size" : size.found, "give a length with its unit, \"8 mm\"");
+    throw input::InputError({.file = "--cells"}, size.ok() ? "\"" + cells_ + "\" is no size" : size.found,
+                            "give a length with its unit, \"8 mm\"");
   }
 
   void write(const mesh::CheckedPattern& checked) const {
     if (fs::path(write_).extension() != ".json")
-      throw input::InputError({.file = "--write"}, "\"" + write_ + "\" has no ending that patterns are written with", "name a .json file (GarmentCode)");
+      throw input::InputError({.file = "--write"}, "\"" + write_ + "\" has no ending that patterns are written with",
+                              "name a .json file (GarmentCode)");
     write_named(write_, mesh::garmentcode_text(checked));
     fmt::print("pattern: {}\n", write_);
   }

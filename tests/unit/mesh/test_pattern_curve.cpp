@@ -12,17 +12,21 @@ namespace {
 using Eigen::Vector2d;
 constexpr double pi = std::numbers::pi;
 
-Curve quarter(double radius) { return {{arc_through({radius, 0.0}, radius * Vector2d(std::sqrt(0.5), std::sqrt(0.5)), {0.0, radius})}}; }
+Curve quarter(double radius) {
+  return {{arc_through({radius, 0.0}, radius * Vector2d(std::sqrt(0.5), std::sqrt(0.5)), {0.0, radius})}};
+}
 
 /// A curve of every kind, one after the other.
 Curve mixed() {
-  return {{Line{{0.0, 0.0}, {0.3, 0.1}}, Quadratic{{0.3, 0.1}, {0.4, 0.5}, {0.2, 0.6}}, Cubic{{0.2, 0.6}, {0.0, 0.8}, {-0.3, 0.3}, {-0.4, 0.9}},
+  return {{Line{{0.0, 0.0}, {0.3, 0.1}}, Quadratic{{0.3, 0.1}, {0.4, 0.5}, {0.2, 0.6}},
+           Cubic{{0.2, 0.6}, {0.0, 0.8}, {-0.3, 0.3}, {-0.4, 0.9}},
            arc_of_radius({-0.4, 0.9}, {-0.6, 0.5}, 0.3, false, true)}};
 }
 
 TEST(PatternCurve, AnArcThroughThreePointsIsTheCirclesWhicheverWayItTurns) {
   EXPECT_NEAR(ArcLength(quarter(0.2)).length(), 0.1 * pi, 1e-15);
-  const Curve large{{arc_through({1.0, 0.0}, {-1.0, 0.0}, {0.0, -1.0})}}, back{{arc_through({0.0, -1.0}, {-1.0, 0.0}, {1.0, 0.0})}};
+  const Curve large{{arc_through({1.0, 0.0}, {-1.0, 0.0}, {0.0, -1.0})}},
+      back{{arc_through({0.0, -1.0}, {-1.0, 0.0}, {1.0, 0.0})}};
   EXPECT_NEAR(ArcLength(large).length(), 1.5 * pi, 1e-13);
   EXPECT_NEAR(ArcLength(back).length(), 1.5 * pi, 1e-13);
   EXPECT_NEAR(swept_area(large), 0.75 * pi, 1e-13);
@@ -43,7 +47,8 @@ TEST(PatternCurve, AnArcOfARadiusTurnsAsItIsTold) {
     }
 }
 
-/// Perimeter of the ellipse with half-axes 2 and 1: 4 a E(e), 9.688448220547675 (Abramowitz and Stegun 17.3, to 15 digits).
+/// Perimeter of the ellipse with half-axes 2 and 1: 4 a E(e), 9.688448220547675 (Abramowitz and Stegun 17.3, to 15
+/// digits).
 TEST(PatternCurve, ACircleThatIsStretchedIsAnEllipse) {
   Eigen::Affine2d map = Eigen::Affine2d::Identity();
   map.linear() = Vector2d(2.0, 1.0).asDiagonal();
@@ -69,7 +74,8 @@ TEST(PatternCurve, AStretchIsTheSameCurve) {
   for (const double share : {0.1, 0.5, 0.9}) EXPECT_LT((inner.at(share) - along.at(0.2 + 0.5 * share)).norm(), 1e-12);
 }
 
-/// A cusp stops the derivative, not the length: the semicubical parabola (t^2, t^3) from -1 to 1 is 2 (13 sqrt(13) - 8) / 27 long.
+/// A cusp stops the derivative, not the length: the semicubical parabola (t^2, t^3) from -1 to 1 is 2 (13 sqrt(13) - 8)
+/// / 27 long.
 TEST(PatternCurve, ACuspIsMeasuredAndPassed) {
   const Curve cusp{{Cubic{{1.0, -1.0}, {-1.0 / 3.0, 1.0}, {-1.0 / 3.0, -1.0}, {1.0, 1.0}}}};
   const ArcLength along(cusp);
@@ -88,7 +94,8 @@ TEST(PatternCurve, BezierCurvesForAnArcAreOffByATenMillionth) {
 
 std::vector<Vector2d> on_a_wave(int intervals) {
   std::vector<Vector2d> points;
-  for (int n = 0; n <= intervals; ++n) points.emplace_back(static_cast<double>(n) / intervals, std::sin(3.0 * n / intervals) / 3.0);
+  for (int n = 0; n <= intervals; ++n)
+    points.emplace_back(static_cast<double>(n) / intervals, std::sin(3.0 * n / intervals) / 3.0);
   return points;
 }
 
@@ -109,7 +116,8 @@ TEST(PatternCurve, SplinesPassThroughTheirPointsWithoutAKink) {
     for (const Vector2d& p : points) EXPECT_LT((along.at(along.nearest(p)) - p).norm(), 1e-8);
     for (std::size_t s = 1; s < curve.spans.size(); ++s) {
       EXPECT_LT((at(curve.spans[s - 1], 1.0) - at(curve.spans[s], 0.0)).norm(), 1e-15);
-      const Vector2d in = derivative(curve.spans[s - 1], 1.0).normalized(), out = derivative(curve.spans[s], 0.0).normalized();
+      const Vector2d in = derivative(curve.spans[s - 1], 1.0).normalized(),
+                     out = derivative(curve.spans[s], 0.0).normalized();
       EXPECT_LT((in - out).norm(), 1e-12);
     }
   }

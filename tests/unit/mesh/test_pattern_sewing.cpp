@@ -50,7 +50,8 @@ TEST(PatternSewing, WhatIsDrawnUprightIsSewnUpright) {
     if (one.partner < 0) continue;
     const EdgePart other = tube.sewing.stretches[one.partner].part;
     const auto& pieces = tube.pattern.pieces;
-    EXPECT_EQ(pieces[one.part.piece].edges[one.part.edge].curve.begin().y(), pieces[other.piece].edges[other.edge].curve.end().y());
+    EXPECT_EQ(pieces[one.part.piece].edges[one.part.edge].curve.begin().y(),
+              pieces[other.piece].edges[other.edge].curve.end().y());
   }
 }
 
@@ -72,8 +73,10 @@ darts = [{ sides = ["in", "out"] }]
 
 /// A square pocket bag: four seams, all of a square on a square; nothing stays open, a sphere.
 TEST(PatternSewing, TwoSquaresSewnAllRoundAreClosed) {
-  const std::string square = R"(edges = [{ name = "s", from = [0, 0] }, { name = "e", from = [100, 0] }, { name = "n", from = [100, 100] }, { name = "w", from = [0, 100] }])";
-  std::string text = "unit = \"1 mm\"\n[[piece]]\nname = \"a\"\n" + square + "\n[[piece]]\nname = \"b\"\n" + square + "\n";
+  const std::string square =
+      R"(edges = [{ name = "s", from = [0, 0] }, { name = "e", from = [100, 0] }, { name = "n", from = [100, 100] }, { name = "w", from = [0, 100] }])";
+  std::string text =
+      "unit = \"1 mm\"\n[[piece]]\nname = \"a\"\n" + square + "\n[[piece]]\nname = \"b\"\n" + square + "\n";
   // Seen from its own outside the other square has its west where this one has its east.
   for (const auto& [one, other] : {std::pair("s", "s"), std::pair("e", "w"), std::pair("n", "n"), std::pair("w", "e")})
     text += std::string("[[seam]]\na = \"a.") + one + "\"\nb = \"b." + other + "\"\n";
@@ -112,15 +115,19 @@ a = "sleeve.left"
 b = "sleeve.right"
 )";
 
-/// The armhole is a loop: begun at the shoulder or under the arm, it is sewn all round, and that is where the sleeve's own seam ends.
+/// The armhole is a loop: begun at the shoulder or under the arm, it is sewn all round, and that is where the sleeve's
+/// own seam ends.
 TEST(PatternSewing, ASideMayRunOverSeveralPieces) {
   for (const bool shoulder : {true, false}) {
-    const CheckedPattern shirt = checked_toml(shoulder ? armhole : with(armhole, "back.armhole + front.armhole", "front.armhole + back.armhole"));
+    const CheckedPattern shirt = checked_toml(
+        shoulder ? armhole : with(armhole, "back.armhole + front.armhole", "front.armhole + back.armhole"));
     EXPECT_TRUE(shirt.warnings.empty());
     EXPECT_EQ(shirt.sewing.open.size(), 2u);  // cuff, and hem with centres and neck
     std::map<std::string, int> corner;        // where an edge begins, after sewing
     for (const Stretch& stretch : shirt.sewing.stretches)
-      if (stretch.part.from == 0.0) corner[name_of(shirt.pattern, EdgePart{stretch.part.piece, stretch.part.edge})] = shirt.sewing.corners[stretch.begin];
+      if (stretch.part.from == 0.0)
+        corner[name_of(shirt.pattern, EdgePart{stretch.part.piece, stretch.part.edge})] =
+            shirt.sewing.corners[stretch.begin];
     EXPECT_EQ(corner.at("sleeve.cap") == corner.at("front.shoulder"), shoulder);
     EXPECT_EQ(corner.at("sleeve.cap") == corner.at("front.armhole"), !shoulder);
     EXPECT_EQ(corner.at("sleeve.cap"), corner.at("sleeve.left"));
@@ -128,18 +135,21 @@ TEST(PatternSewing, ASideMayRunOverSeveralPieces) {
 }
 
 TEST(PatternSewing, EaseIsSpreadEvenly) {
-  const CheckedPattern shirt = checked_toml(with(armhole, "back.armhole + front.armhole", "front.armhole + back.armhole"));
+  const CheckedPattern shirt =
+      checked_toml(with(armhole, "back.armhole + front.armhole", "front.armhole + back.armhole"));
   int stretches = 0;
   for (const Stretch& stretch : shirt.sewing.stretches) {
     if (stretch.partner < 0 || shirt.pattern.seams[stretch.seam].name != "cap") continue;
     ++stretches;
-    EXPECT_NEAR(ease(stretch.length, shirt.sewing.stretches[stretch.partner].length), ease(373.0, 2.0 * std::hypot(50.0, 180.0)), 1e-12);
+    EXPECT_NEAR(ease(stretch.length, shirt.sewing.stretches[stretch.partner].length),
+                ease(373.0, 2.0 * std::hypot(50.0, 180.0)), 1e-12);
   }
   EXPECT_EQ(stretches, 4);  // two of the cap, one of each armhole
 }
 
 TEST(PatternSewing, NotchesOfOneNameMeet) {
-  std::string text = with(two_halves, "name = \"front\"\n", "name = \"front\"\nnotches = [{ name = \"n\", edge = \"left\", at = 0.45 }]\n");
+  std::string text = with(two_halves, "name = \"front\"\n",
+                          "name = \"front\"\nnotches = [{ name = \"n\", edge = \"left\", at = 0.45 }]\n");
   text = with(text, "name = \"back\"\n", "name = \"back\"\nnotches = [{ name = \"n\", edge = \"left\", at = 0.5 }]\n");
   const CheckedPattern tube = checked_toml(text);
   const auto places = stations(tube.pattern, tube.pattern.seams[0]);
@@ -149,29 +159,39 @@ TEST(PatternSewing, NotchesOfOneNameMeet) {
 }
 
 TEST(PatternSewing, NotchesThatCrossAreRefused) {
-  std::string text = with(two_halves, "name = \"front\"\n", "name = \"front\"\nnotches = [{ name = \"m\", edge = \"left\", at = 0.3 }, { name = \"n\", edge = \"left\", at = 0.6 }]\n");
-  text = with(text, "name = \"back\"\n", "name = \"back\"\nnotches = [{ name = \"m\", edge = \"left\", at = 0.3 }, { name = \"n\", edge = \"left\", at = 0.6 }]\n");
-  EXPECT_THAT(refusal([&] { checked_toml(text); }), HasSubstr("do not come in the same order on both sides"));  // back.left is walked from its end
+  std::string text = with(two_halves, "name = \"front\"\n",
+                          "name = \"front\"\nnotches = [{ name = \"m\", edge = \"left\", at = 0.3 }, { name = \"n\", "
+                          "edge = \"left\", at = 0.6 }]\n");
+  text = with(text, "name = \"back\"\n",
+              "name = \"back\"\nnotches = [{ name = \"m\", edge = \"left\", at = 0.3 }, { name = \"n\", edge = "
+              "\"left\", at = 0.6 }]\n");
+  EXPECT_THAT(refusal([&] { checked_toml(text); }),
+              HasSubstr("do not come in the same order on both sides"));  // back.left is walked from its end
 }
 
 /// Corners of the two sides that nearly meet are one; a drafted pattern agrees to some tenths of a millimetre.
 TEST(PatternSewing, CornersThatNearlyMeetAreOne) {
-  std::string text = with(two_halves, "{ name = \"left\", from = [200, 0] }", "{ name = \"left\", from = [200, 0] }, { name = \"left2\", from = [200, 100] }");
-  text = with(text, "{ name = \"left\", from = [0, 300] }", "{ name = \"left\", from = [0, 300] }, { name = \"left2\", from = [0, 100.4] }");
-  text = with(with(text, "a = \"front.left\"", "a = \"front.left + front.left2\""), "b = \"back.left\"", "b = \"back.left + back.left2\"");
+  std::string text = with(two_halves, "{ name = \"left\", from = [200, 0] }",
+                          "{ name = \"left\", from = [200, 0] }, { name = \"left2\", from = [200, 100] }");
+  text = with(text, "{ name = \"left\", from = [0, 300] }",
+              "{ name = \"left\", from = [0, 300] }, { name = \"left2\", from = [0, 100.4] }");
+  text = with(with(text, "a = \"front.left\"", "a = \"front.left + front.left2\""), "b = \"back.left\"",
+              "b = \"back.left + back.left2\"");
   const CheckedPattern tube = checked_toml(text);
   EXPECT_EQ(stations(tube.pattern, tube.pattern.seams[0]).size(), 3u);
   EXPECT_EQ(stations(checked_toml(with(text, "[0, 100.4]", "[0, 110]")).pattern, tube.pattern.seams[0]).size(), 4u);
 }
 
 TEST(PatternSewing, AHemNamesALoopOrAPartOfOne) {
-  EXPECT_THAT(open_names(checked_toml(two_halves + "[[hem]]\nname = \"waist\"\nedges = \"front.top + back.top\"\n")), ElementsAre("hem", "waist"));
+  EXPECT_THAT(open_names(checked_toml(two_halves + "[[hem]]\nname = \"waist\"\nedges = \"front.top + back.top\"\n")),
+              ElementsAre("hem", "waist"));
   const CheckedPattern part = checked_toml(two_halves + "[[hem]]\nname = \"fly\"\nedges = \"front.top[0.2..0.6]\"\n");
   EXPECT_THAT(open_names(part), ElementsAre("hem", "top"));
   EXPECT_EQ(part.sewing.open[1].stretches.size(), 4u);
 }
 
-/// A sleeve that is drawn for the other arm: its seams run from the neck to the underarm on one side and back on the other.
+/// A sleeve that is drawn for the other arm: its seams run from the neck to the underarm on one side and back on the
+/// other.
 TEST(PatternSewing, ASleeveOfTheOtherArmIsWarnedOf) {
   const std::string raglan = R"(unit = "1 cm"
 [[piece]]
@@ -188,17 +208,21 @@ name = "right"
 mirror_of = "left"
 )";
   std::string seams;
-  for (const char* seam : {"front.side_l=back.side_l", "front.side_r=back.side_r", "front.raglan_l=left.front", "back.raglan_l=left.back", "front.raglan_r=right.front", "back.raglan_r=right.back",
+  for (const char* seam : {"front.side_l=back.side_l", "front.side_r=back.side_r", "front.raglan_l=left.front",
+                           "back.raglan_l=left.back", "front.raglan_r=right.front", "back.raglan_r=right.back",
                            "left.under_f=left.under_b", "right.under_f=right.under_b"}) {
     const std::string both = seam;
-    seams += "[[seam]]\na = \"" + both.substr(0, both.find('=')) + "\"\nb = \"" + both.substr(both.find('=') + 1) + "\"\n";
+    seams +=
+        "[[seam]]\na = \"" + both.substr(0, both.find('=')) + "\"\nb = \"" + both.substr(both.find('=') + 1) + "\"\n";
   }
   const CheckedPattern right = checked_toml(raglan + seams);
   EXPECT_TRUE(right.warnings.empty());
   EXPECT_EQ(right.sewing.open.size(), 4u);  // hem, neck, two cuffs
-  std::string other = raglan;  // the left sleeve with front and back exchanged
-  for (const auto& [what, by] : {std::pair("\"under_b\", from = [14", "\"under_f\", from = [14"), std::pair("\"back\", from = [18", "\"front\", from = [18"),
-                                 std::pair("\"front\", from = [-4", "\"back\", from = [-4"), std::pair("\"under_f\", from = [-18", "\"under_b\", from = [-18")})
+  std::string other = raglan;               // the left sleeve with front and back exchanged
+  for (const auto& [what, by] : {std::pair("\"under_b\", from = [14", "\"under_f\", from = [14"),
+                                 std::pair("\"back\", from = [18", "\"front\", from = [18"),
+                                 std::pair("\"front\", from = [-4", "\"back\", from = [-4"),
+                                 std::pair("\"under_f\", from = [-18", "\"under_b\", from = [-18")})
     other = with(other, what, by);
   const CheckedPattern wrong = checked_toml(other + seams);
   ASSERT_FALSE(wrong.warnings.empty());

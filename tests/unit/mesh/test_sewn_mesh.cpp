@@ -58,7 +58,8 @@ void expect_sound(const SewnMesh& mesh) {
       EXPECT_EQ(mesh.node_piece[t[n]], mesh.triangle_piece[i]);
     }
     EXPECT_EQ(nodes.size(), 6u);
-    for (int n = 0; n < 3; ++n) EXPECT_LT((mesh.flat[t[3 + n]] - 0.5 * (mesh.flat[t[n]] + mesh.flat[t[(n + 1) % 3]])).norm(), 1e-15);
+    for (int n = 0; n < 3; ++n)
+      EXPECT_LT((mesh.flat[t[3 + n]] - 0.5 * (mesh.flat[t[n]] + mesh.flat[t[(n + 1) % 3]])).norm(), 1e-15);
   }
   EXPECT_EQ(used.size(), mesh.flat.size());  // a node without a triangle would have no stiffness
   for (std::size_t n = 0; n < mesh.merged.size(); ++n) {
@@ -86,7 +87,8 @@ TEST(SewnMesh, BothSidesOfASeamAreDividedAlikeAndMerged) {
 }
 
 TEST(SewnMesh, EdgesAndHemsHaveTheirNodesInOrder) {
-  const SewnMesh mesh = mesh_pattern(checked_toml(two_halves + "[[hem]]\nname = \"fly\"\nedges = \"front.top[0.2..0.6]\"\n"), 0.02);
+  const SewnMesh mesh =
+      mesh_pattern(checked_toml(two_halves + "[[hem]]\nname = \"fly\"\nedges = \"front.top[0.2..0.6]\"\n"), 0.02);
   EXPECT_EQ(mesh.edges.at("front.hem").size(), 21u);
   EXPECT_EQ(mesh.flat[mesh.edges.at("front.hem").front()], Vector2d(0.0, 0.0));
   EXPECT_NEAR(length(mesh, mesh.edges.at("back.left")), 0.3, 1e-14);
@@ -100,8 +102,11 @@ TEST(SewnMesh, EdgesAndHemsHaveTheirNodesInOrder) {
 
 /// Curves become chords: areas and lengths are off by the square of the cell size, and by little.
 TEST(SewnMesh, AreasAndSeamLengthsConvergeToThePatterns) {
-  const std::string bowed = with(with(two_halves, "{ name = \"left\", from = [200, 0] }", "{ name = \"left\", kind = \"cubic\", from = [200, 0], control = [[260, 100], [160, 200]] }"),
-                                 "{ name = \"left\", from = [0, 300] }", "{ name = \"left\", kind = \"arc\", from = [0, 300], through = [[-25, 150]] }");
+  const std::string bowed =
+      with(with(two_halves, "{ name = \"left\", from = [200, 0] }",
+                "{ name = \"left\", kind = \"cubic\", from = [200, 0], control = [[260, 100], [160, 200]] }"),
+           "{ name = \"left\", from = [0, 300] }",
+           "{ name = \"left\", kind = \"arc\", from = [0, 300], through = [[-25, 150]] }");
   const CheckedPattern checked = checked_toml(bowed);
   double exact = 0.0;
   for (const Piece& piece : checked.pattern.pieces) exact += mesh::area(piece);
@@ -122,15 +127,21 @@ TEST(SewnMesh, StraightPiecesKeepTheirAreaToRoundOff) {
   EXPECT_NEAR(area(mesh_pattern(checked_toml(two_halves), 0.013)), 0.12, 1e-14);
 }
 
-/// A cone's tip: both edges of the piece end in one vertex, and no triangle may have one of its sides folded by the seam.
+/// A cone's tip: both edges of the piece end in one vertex, and no triangle may have one of its sides folded by the
+/// seam.
 TEST(SewnMesh, AtTheTipOfAConeNoTriangleIsFolded) {
   for (const double angle : {20.0, 60.0, 150.0}) {
     const double a = 0.5 * angle * pi / 180.0;
-    const std::string text = "unit = \"1 m\"\n[[piece]]\nname = \"p\"\nedges = [{ name = \"one\", from = [0, 0] }, { name = \"base\", kind = \"arc\", from = [" + std::to_string(0.2 * std::sin(a)) + ", " +
-                             std::to_string(-0.2 * std::cos(a)) + "], through = [[0, -0.2]], to = [" + std::to_string(-0.2 * std::sin(a)) + ", " + std::to_string(-0.2 * std::cos(a)) + "] }, { name = \"other\", from = [" +
-                             std::to_string(-0.2 * std::sin(a)) + ", " + std::to_string(-0.2 * std::cos(a)) + "] }]\n[[seam]]\na = \"p.one\"\nb = \"p.other\"\n";
+    const std::string text =
+        "unit = \"1 m\"\n[[piece]]\nname = \"p\"\nedges = [{ name = \"one\", from = [0, 0] }, { name = \"base\", kind "
+        "= \"arc\", from = [" +
+        std::to_string(0.2 * std::sin(a)) + ", " + std::to_string(-0.2 * std::cos(a)) +
+        "], through = [[0, -0.2]], to = [" + std::to_string(-0.2 * std::sin(a)) + ", " +
+        std::to_string(-0.2 * std::cos(a)) + "] }, { name = \"other\", from = [" + std::to_string(-0.2 * std::sin(a)) +
+        ", " + std::to_string(-0.2 * std::cos(a)) + "] }]\n[[seam]]\na = \"p.one\"\nb = \"p.other\"\n";
     // The lower side runs from right to left below the tip, which is clockwise: as seen from the inside.
-    const SewnMesh mesh = mesh_pattern(checked_toml(with(text, "name = \"p\"\n", "name = \"p\"\nseen_from = \"inside\"\n")), 0.02);
+    const SewnMesh mesh =
+        mesh_pattern(checked_toml(with(text, "name = \"p\"\n", "name = \"p\"\nseen_from = \"inside\"\n")), 0.02);
     expect_sound(mesh);
     EXPECT_EQ(euler(mesh), 1) << angle;
     EXPECT_EQ(mesh.open.size(), 1u);
@@ -158,7 +169,10 @@ darts = [{ sides = ["in", "out"] }]
 
 /// Where one side is longer, its divisions are: as many on both.
 TEST(SewnMesh, EaseIsInTheLengthsOfTheDivisions) {
-  const SewnMesh mesh = mesh_pattern(checked_toml(with(two_halves, "{ name = \"left\", from = [200, 0] }", "{ name = \"left\", kind = \"quadratic\", from = [200, 0], control = [[320, 150]] }")), 0.02);
+  const SewnMesh mesh = mesh_pattern(
+      checked_toml(with(two_halves, "{ name = \"left\", from = [200, 0] }",
+                        "{ name = \"left\", kind = \"quadratic\", from = [200, 0], control = [[320, 150]] }")),
+      0.02);
   const auto &a = mesh.edges.at("front.left"), &b = mesh.edges.at("back.left");
   EXPECT_EQ(a.size(), b.size());
   double shortest = 1e9, longest = 0.0;
@@ -172,10 +186,12 @@ TEST(SewnMesh, EaseIsInTheLengthsOfTheDivisions) {
 TEST(SewnMesh, CellsThatCannotBeAreRefused) {
   const CheckedPattern tube = checked_toml(two_halves);
   EXPECT_THAT(refusal([&] { mesh_pattern(tube, 0.0); }), HasSubstr("test.toml: error: cells of 0 mm"));
-  EXPECT_THAT(refusal([&] { mesh_pattern(tube, 1e-5); }), HasSubstr("front cannot be meshed with cells of 0.01 mm: more than"));
+  EXPECT_THAT(refusal([&] { mesh_pattern(tube, 1e-5); }),
+              HasSubstr("front cannot be meshed with cells of 0.01 mm: more than"));
 }
 
-/// The hand-over: two halves of a tube of 400 mm round a cylinder become the solver's mesh, and its nodes are where they were put.
+/// The hand-over: two halves of a tube of 400 mm round a cylinder become the solver's mesh, and its nodes are where
+/// they were put.
 TEST(SewnMesh, PlacedItIsTheSolversMesh) {
   const SewnMesh sewn = mesh_pattern(checked_toml(two_halves), 0.02);
   const double radius = 0.4 / (2.0 * pi);
@@ -195,7 +211,8 @@ TEST(SewnMesh, PlacedItIsTheSolversMesh) {
     const auto x = [&](int n) { return mesh.placed[t[n]]; };
     const Vector3d normal = (x(1) - x(0)).cross(x(2) - x(0)).normalized();
     EXPECT_GT(normal.dot(Vector3d(x(3).x(), x(3).y(), 0.0).normalized()), 0.9);
-    for (int n = 0; n < 3; ++n) EXPECT_NEAR((x(n) - x((n + 1) % 3)).norm(), (mesh.pattern[t[n]] - mesh.pattern[t[(n + 1) % 3]]).norm(), 2e-4);
+    for (int n = 0; n < 3; ++n)
+      EXPECT_NEAR((x(n) - x((n + 1) % 3)).norm(), (mesh.pattern[t[n]] - mesh.pattern[t[(n + 1) % 3]]).norm(), 2e-4);
   }
   std::vector<Vector3d> torn = placed;
   torn[sewn.seams[0].pairs[3][1]].x() += 1e-6;

@@ -37,17 +37,19 @@ class SharedPatterns : public testing::TestWithParam<Expected> {
   }
 };
 
-/// Read, checked without a warning, sewn to as many open edges as the garment has holes for neck and limbs, drawn, meshed with
-/// its area kept, and the same again when written.
+/// Read, checked without a warning, sewn to as many open edges as the garment has holes for neck and limbs, drawn,
+/// meshed with its area kept, and the same again when written.
 TEST_P(SharedPatterns, AreReadCheckedSewnDrawnAndMeshed) {
   const CheckedPattern one = checked(read_pattern(file()));
   EXPECT_TRUE(one.warnings.empty());
   EXPECT_EQ(one.pattern.pieces.size(), GetParam().pieces);
   EXPECT_EQ(one.pattern.seams.size(), GetParam().seams);
   EXPECT_EQ(one.sewing.open.size(), GetParam().open);
-  for (const Seam& seam : one.pattern.seams) EXPECT_LT(ease(length(one.pattern, seam.a), length(one.pattern, seam.b)), GetParam().widest_ease) << seam.name;
+  for (const Seam& seam : one.pattern.seams)
+    EXPECT_LT(ease(length(one.pattern, seam.a), length(one.pattern, seam.b)), GetParam().widest_ease) << seam.name;
   for (const OpenLoop& loop : one.sewing.open)
-    for (const double angle : loop.angles) EXPECT_GT(angle, 0.75 * std::numbers::pi) << loop.name;  // hems run over seams without a corner
+    for (const double angle : loop.angles)
+      EXPECT_GT(angle, 0.75 * std::numbers::pi) << loop.name;  // hems run over seams without a corner
   const SewnMesh mesh = mesh_pattern(one, 0.015);
   double area_of_pieces = 0.0;
   for (const Piece& piece : one.pattern.pieces) area_of_pieces += area(piece);
@@ -58,8 +60,11 @@ TEST_P(SharedPatterns, AreReadCheckedSewnDrawnAndMeshed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharedPatterns,
-                         testing::Values(Expected{"leggings-10.json", 4, 6, 3, 2e-4}, Expected{"trousers-block.json", 4, 6, 3, 5e-4}, Expected{"tshirt.json", 4, 6, 4, 1e-4},
-                                         Expected{"vest-15.json", 4, 6, 4, 1e-4}, Expected{"shirt_mean_specification.json", 8, 18, 4, 4e-3}),
+                         testing::Values(Expected{"leggings-10.json", 4, 6, 3, 2e-4},
+                                         Expected{"trousers-block.json", 4, 6, 3, 5e-4},
+                                         Expected{"tshirt.json", 4, 6, 4, 1e-4},
+                                         Expected{"vest-15.json", 4, 6, 4, 1e-4},
+                                         Expected{"shirt_mean_specification.json", 8, 18, 4, 4e-3}),
                          [](const auto& info) {
                            std::string name = info.param.file;
                            std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
