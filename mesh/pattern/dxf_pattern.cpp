@@ -86,13 +86,11 @@ class BlockReading {
   BlockReading(const DxfBlock& block, double unit, std::string file, Diagnostics& diagnostics)
       : block_(block), unit_(unit), file_(std::move(file)), diagnostics_(diagnostics) {}
 
-  /// Nothing where the block draws no outline.
-  std::optional<Piece> piece() {
+  /// Nothing where the block draws no outline. Its name is none of `others`.
+  std::optional<Piece> piece(const Pattern& others) {
     const DxfPath* drawn = outline();
     if (!drawn) return std::nullopt;
-    piece_.name = value_of(block_.texts, "PIECE NAME").value_or(block_.name);
-    for (char& c : piece_.name)
-      if (std::string(".[]+\"\n").find(c) != std::string::npos) c = '_';
+    piece_.name = piece_name(value_of(block_.texts, "PIECE NAME").value_or(block_.name), others);
     piece_.where = at(block_.line);
     for (const DxfPath& path : block_.paths)
       if (path.layer == "6")
@@ -260,7 +258,7 @@ Pattern parse_dxf(const std::string& text, const std::string& shown_as) {
     diagnostics.error({shown_as, file.scaled_insert, 1}, "a block is inserted in another size",
                       "write blocks in their own size");
   for (const DxfBlock& block : file.blocks)
-    if (auto piece = BlockReading(block, unit, shown_as, diagnostics).piece())
+    if (auto piece = BlockReading(block, unit, shown_as, diagnostics).piece(pattern))
       pattern.pieces.push_back(std::move(*piece));
   if (pattern.pieces.empty())
     diagnostics.error({.file = shown_as}, "no block has an outline",

@@ -108,6 +108,14 @@ int Pattern::find(const std::string& piece) const {
   return -1;
 }
 
+std::string piece_name(std::string wanted, const Pattern& pattern) {
+  for (char& c : wanted)
+    if (std::string_view(".[]+\"\n").find(c) != std::string_view::npos) c = '_';
+  std::string name = wanted;
+  for (int number = 2; pattern.find(name) >= 0; ++number) name = fmt::format("{} {}", wanted, number);
+  return name;
+}
+
 std::string name_of(const Pattern& pattern, const EdgePart& part) {
   const Piece& piece = pattern.pieces[part.piece];
   const std::string name = piece.name + "." + piece.edges[part.edge].name;

@@ -50,6 +50,10 @@ struct Pattern {
   int find(const std::string& piece) const;
 };
 
+/// A name from a file that knows nothing of ours: without the marks that parts of edges are written with, and with a number where
+/// another piece has it already.
+std::string piece_name(std::string wanted, const Pattern& pattern);
+
 /// "front.side", "front.side[0.2..1]".
 std::string name_of(const Pattern& pattern, const EdgePart& part);
 /// The parts with " + " between them.

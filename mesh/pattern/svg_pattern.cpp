@@ -225,9 +225,7 @@ class Drawing {
     std::string name = node.attribute("inkscape:label").as_string();
     if (name.empty()) name = node.attribute("id").as_string();
     if (name.empty()) name = fmt::format("piece{}", pattern_.pieces.size() + 1);
-    for (char& c : name)
-      if (std::string_view(".[]+\"\n").find(c) != std::string_view::npos) c = '_';
-    return name;
+    return piece_name(name, pattern_);
   }
 
   const std::string& text_;

@@ -43,6 +43,7 @@ class PatternCommand : public Command {
     if (!grade_.empty()) {
       mesh::check_pieces(pattern);
       pattern = mesh::graded(pattern, grade_[0], grade_[1]);
+      pattern.title += fmt::format(" (girth x {:g}, length x {:g})", grade_[0], grade_[1]);
     }
     const mesh::CheckedPattern checked = mesh::checked(std::move(pattern));
     for (const input::Diagnostic& warning : checked.warnings) fmt::print(stderr, "{}\n", warning_text(warning));

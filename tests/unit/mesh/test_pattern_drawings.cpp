@@ -148,6 +148,11 @@ TEST(DxfPattern, OutlineTurnPointsNotchesGrainAndCutOutsAreRead) {
   EXPECT_EQ(refusal([&] { checked(tube); }), "");
 }
 
+TEST(DxfPattern, PiecesOfOneNameAreNumbered) {
+  const Pattern tube = parse_dxf(with(text_of(data / "tube.dxf"), "Piece Name: Back", "Piece Name: Front"), "tube.dxf");
+  EXPECT_EQ(tube.pieces[1].name, "Front 2");
+}
+
 TEST(DxfPattern, WithoutAUnitItIsRefused) {
   const std::string text = text_of(data / "tube.dxf"), none = with(text, "UNITS: METRIC", "UNITS");
   const auto said = [](const std::string& of) { return refusal([&] { parse_dxf(of, "tube.dxf"); }); };
