@@ -1,11 +1,16 @@
 #include "cases/input/units.hpp"
 
+#include <fmt/format.h>
 #include <udunits2.h>
 
 #include <array>
 #include <charconv>
+#include <map>
 #include <memory>
+#include <numbers>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace snug::input {
 
@@ -16,11 +21,16 @@ struct FreeUnit {
 };
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 
-/// The unit system of udunits, read once; it never changes afterwards.
+/// The unit system of udunits, read once; it never changes afterwards. To udunits an angle is a plain number, so that a force
+/// per length would pass for a force per length and angle; here an angle is a dimension of its own, of which the words are ours.
 ut_system* unit_system() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);  // we report ourselves, with place and remedy
-    return ut_read_xml(nullptr);
+    ut_system* const units = ut_read_xml(nullptr);
+    const Unit radian(ut_new_base_unit(units)), degree(ut_scale(std::numbers::pi / 180.0, radian.get()));
+    ut_map_name_to_unit("angle_in_radians", UT_ASCII, radian.get());
+    ut_map_name_to_unit("angle_in_degrees", UT_ASCII, degree.get());
+    return units;
   }();
   return system;
 }
@@ -42,33 +52,58 @@ std::string with_single_blanks(const std::string& text) {
   return result;
 }
 
-/// The words deg and dyn are degree and dyne.
+/// Words of textile sheets that udunits does not have, or has as something else.
+std::string long_word(const std::string& word) {
+  static const std::map<std::string, std::string> words = {
+      {"deg", "angle_in_degrees"},    {"degs", "angle_in_degrees"},   {"degree", "angle_in_degrees"}, {"degrees", "angle_in_degrees"},
+      {"rad", "angle_in_radians"},    {"radian", "angle_in_radians"}, {"radians", "angle_in_radians"}, {"mrad", "1e-3 angle_in_radians"},
+      {"dyn", "dyne"},                {"gsm", "g/m2"}};
+  const auto known = words.find(word);
+  return known == words.end() ? word : known->second;
+}
+
+/// Words are letters with the digits between them; those at the end are an exponent ("deg2", "cm2").
 std::string with_long_words(const std::string& text) {
-  std::string result, word;
-  for (const char c : text + ' ') {
-    if (is_letter(c) || (c >= '0' && c <= '9')) {
-      word += c;
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    if (end == at) {
+      result += text[at++];
       continue;
     }
-    result += (word == "deg" ? "degree" : word == "dyn" ? "dyne" : word) + c;
-    word.clear();
+    const std::string word = long_word(text.substr(at, end - at));
+    result += word.find_first_of(" /") == word.npos ? word : "(" + word + ")";
+    at = end;
   }
-  result.pop_back();
   return result;
 }
 
 constexpr std::size_t longest_unit = 200;  // characters
 
-/// The user's spelling as udunits wants it: every product sign is a space, every minus and square a plain one.
+/// The user's spelling as udunits wants it: every product sign is a space, every minus, square and exponent a plain one.
 std::string plain(std::string unit) {
-  const std::array<std::pair<const char*, const char*>, 8> spellings = {
-      {{"·", " "}, {"×", " "}, {"*", " "}, {"−", "-"}, {"²", "2"}, {"³", "3"}, {"°", "degree"}, {"µ", "u"}}};
+  static const std::vector<std::pair<std::string, std::string>> spellings = {
+      {"·", " "}, {"⋅", " "}, {"∙", " "}, {"•", " "}, {"×", " "}, {"*", " "},  // products
+      {"\u00a0", " "}, {"\u202f", " "}, {"\u2009", " "},                      // blanks that printers use
+      {"−", "-"}, {"–", "-"}, {"⁻", "-"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
+      {"°", "deg"}, {"º", "deg"}, {"˚", "deg"}, {"µ", "u"}, {"μ", "u"}, {"∕", "/"}, {"⁄", "/"}};
   for (const auto& [from, to] : spellings)
-    for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, std::string(from).size(), to);
+    for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, from.size(), to);
+  while (!unit.empty() && unit.back() == '.') unit.pop_back();
   return with_long_words(with_single_blanks(unit));
 }
 
-Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), plain(text).c_str(), UT_UTF8)); }
+Unit parsed(const std::string& text) { return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8)); }
+
+/// Everything behind the last slash as one divisor: "gf/cm deg" as "gf/(cm deg)". Empty where that is nothing else.
+std::string all_below(const std::string& text) {
+  const auto slash = text.rfind('/');
+  if (slash == text.npos || text.find_first_of("()", slash) != text.npos) return {};
+  return text.substr(0, slash + 1) + "(" + text.substr(slash + 1) + ")";
+}
+
+Unit parse_unit(const std::string& text) { return parsed(plain(text)); }
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
@@ -94,20 +129,53 @@ const std::array<Dimension, 13> dimensions = {{{"m", "a length", "0.57 mm"},
                                                {"s", "a time", "2 s"},
                                                {"1/m", "a curvature", "2.5 1/cm"}}};
 
-}  // namespace
+bool is_unit_name(const std::string& name) {
+  if (name.empty() || name.size() > longest_unit) return false;
+  return std::string("0123456789.+-").find(name[0]) == std::string::npos || name.substr(0, 2) == "1/";
+}
 
-bool unit_factor(const std::string& unit, const std::string& si_unit, double& factor) {
-  const std::string name = trimmed(unit);
-  if (name.size() > longest_unit) return false;
-  if (name.empty() || std::string("0123456789.+-").find(name[0]) != std::string::npos) {
-    if (name.substr(0, 2) != "1/") return false;
-  }
-  const Unit from = parse_unit(name), to = parse_unit(si_unit);
+bool factor_between(const Unit& from, const Unit& to, double& factor) {
   if (!from || !to || !ut_are_convertible(from.get(), to.get())) return false;
   std::unique_ptr<cv_converter, decltype(&cv_free)> converter(ut_get_converter(from.get(), to.get()), &cv_free);
   if (!converter) return false;
   factor = cv_convert_double(converter.get(), 1.0);
   return true;
+}
+
+/// What a unit of another dimension is easily taken for, with the way out; empty where nothing is known.
+std::string likely_slip(const std::string& unit, const std::string& si_unit, double number) {
+  double factor = 1.0;
+  const std::string per_angle = "N/(m rad)";
+  if (si_unit == per_angle && unit_factor(unit, "N/m", factor))
+    return ", but a force per length: a shear stiffness of KES is one per angle, e.g. \"0.77 gf/(cm degree)\"; per radian write \"N/(m rad)\"";
+  if (si_unit == "N/m" && unit_factor(unit, per_angle, factor))
+    return ", but one per angle: per radian it is \"" + fmt::format("{:.6g}", number * factor) + " N/m\"";
+  const auto as_force = [&] {  // older sheets print g for gf
+    std::string word, result;
+    for (const char c : unit + ' ') {
+      if (is_letter(c)) {
+        word += c;
+        continue;
+      }
+      result += (word == "g" ? "gf" : word == "kg" ? "kgf" : word) + c, word.clear();
+    }
+    return trimmed(result);
+  };
+  if (as_force() != unit && unit_factor(as_force(), si_unit, factor)) return ": g is a mass, the force of a gram is gf: write \"" + as_force() + "\"";
+  return {};
+}
+
+}  // namespace
+
+bool unit_factor(const std::string& unit, const std::string& si_unit, double& factor) {
+  const std::string name = trimmed(unit);
+  if (!is_unit_name(name)) return false;
+  const Unit to = parse_unit(si_unit);
+  const std::string text = plain(name);
+  if (factor_between(parsed(text), to, factor)) return true;
+  // Sheets print gf/cm·deg for gf/(cm·deg) and N/5 cm for N/(5 cm): read so where only this has the dimension.
+  const std::string divided = all_below(text);
+  return !divided.empty() && factor_between(parsed(divided), to, factor);
 }
 
 Quantity to_si(const std::string& text, const std::string& si_unit) {
@@ -125,7 +193,7 @@ Quantity to_si(const std::string& text, const std::string& si_unit) {
   double factor = 1.0;
   if (unit_factor(unit, si_unit, factor)) return {number * factor, {}};
   if (!parse_unit(unit)) return {0.0, "\"" + unit + "\" in \"" + text + "\" is not a unit"};
-  return {0.0, "\"" + text + "\" is not " + dimension_name(si_unit)};
+  return {0.0, "\"" + text + "\" is not " + dimension_name(si_unit) + likely_slip(unit, si_unit, number)};
 }
 
 std::string dimension_name(const std::string& si_unit) {

@@ -38,6 +38,31 @@ TEST(Units, OfTextilesAndClinicsAreKnown) {
   EXPECT_DOUBLE_EQ(si("-5mm", "m"), -5e-3);
 }
 
+TEST(Units, StiffnessesPerAngleAreReadAsSheetsPrintThem) {
+  // The product behind the last slash of a printed unit divides, where the dimension leaves no other reading.
+  const double centinewton_per_cm_degree = 1e-2 / 1e-2 * 180.0 / std::numbers::pi;  // N/(m rad)
+  for (const char* unit : {"cN/(cm deg)", "cN/cm.deg", "cN/cm·deg", "cN/cm⋅degree", "cN/cm degrees", "cN/cm/°", "cN cm-1 deg-1", "cN·cm⁻¹·deg⁻¹",
+                           "cN/cm*deg.", "cN/cm º", "cN/cm\u00a0deg"})
+    EXPECT_NEAR(si(std::string("2.5 ") + unit, "N/(m rad)"), 2.5 * centinewton_per_cm_degree, 1e-9) << unit;
+  EXPECT_NEAR(si("3 mN/mm·rad", "N/(m rad)"), 3.0, 1e-12);
+  EXPECT_NEAR(si("40 N/50 mm", "N/m"), 800.0, 1e-9);  // a strip of 50 mm
+  EXPECT_NEAR(si("40 N/5cm", "N/m"), 800.0, 1e-9);
+  EXPECT_NEAR(si("12 cN.cm2/cm", "N m"), 12e-2 * 1e-2, 1e-12);
+  EXPECT_NEAR(si("9 μN·m", "N m"), 9e-6, 1e-18);
+  EXPECT_NEAR(si("175 gsm", "kg/m2"), 0.175, 1e-12);
+}
+
+TEST(Units, AnAngleIsNoPlainNumber) {
+  // What lacks the angle, or has one too many, is refused with what it is likely to be.
+  for (const char* text : {"30 N/m", "2 cN/cm", "1 gf deg/cm", "3 N/(m deg2)", "1 gf cm/deg"}) EXPECT_FALSE(to_si(text, "N/(m rad)").ok()) << text;
+  EXPECT_NE(to_si("2 cN/cm", "N/(m rad)").found.find("a force per length"), std::string::npos);
+  EXPECT_NE(to_si("2 mN/mm.rad", "N/m").found.find("per radian it is \"2 N/m\""), std::string::npos) << to_si("2 mN/mm.rad", "N/m").found;
+  EXPECT_FALSE(to_si("5 m/m", "rad").ok());
+  EXPECT_FALSE(to_si("5 rad/m", "1/m").ok());
+  EXPECT_FALSE(to_si("7 gf cm2", "N m").ok());  // a bending stiffness that is not per width
+  EXPECT_NE(to_si("5 g/cm.deg", "N/(m rad)").found.find("write \"gf/cm.deg\""), std::string::npos) << to_si("5 g/cm.deg", "N/(m rad)").found;
+}
+
 TEST(Units, WrongTextsAreRefusedWithTheReason) {
   // A text that is no quantity of the dimension says why.
   EXPECT_NE(to_si("5", "m").found.find("has no unit"), std::string::npos);
