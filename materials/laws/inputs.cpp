@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
 
@@ -11,7 +13,7 @@ namespace {
 // Beyond this Poisson ratio an element whose only unknowns are displacements locks.
 constexpr double largest_unsplit_poisson_ratio = 0.495;
 constexpr const char* split_remedy =
-    "use a law with split (neo-Hooke, Mooney-Rivlin, Ogden, Fung), whose mixed element does not lock";
+    "use a law with split (neo-Hooke, Mooney-Rivlin, Ogden, Yeoh, Fung), whose mixed element does not lock";
 
 double poisson_ratio(double mu, double kappa) { return (3.0 * kappa - 2.0 * mu) / (2.0 * (3.0 * kappa + mu)); }
 
@@ -36,6 +38,13 @@ void check_unsplit(double nu, const input::Location& where, input::Diagnostics& 
 
 void check(const NeoHookeInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
   check(form.volume.compressibility, form.shear_modulus, table, diagnostics);
+}
+void check(const YeohInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
+  // dW/dx = C10 + 2 C20 x + 3 C30 x^2 has no zero at x > 0.
+  if (form.C20 < 0.0 && !(form.C20 * form.C20 < 3.0 * form.C10 * form.C30))
+    diagnostics.error(table.where_is("C20"), fmt::format("with C20 = {} Pa the solid loses its stiffness at a finite stretch", form.C20),
+                      fmt::format("a negative C20 must be smaller than sqrt(3 C10 C30) = {:.6g} Pa", std::sqrt(3.0 * form.C10 * form.C30)));
+  check(form.volume.compressibility, 2.0 * form.C10, table, diagnostics);
 }
 void check(const FungInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
   check(form.volume.compressibility, form.shear_modulus, table, diagnostics);

@@ -129,6 +129,23 @@ struct OgdenInput {
   Ogden law() const;
 };
 
+struct YeohInput {
+  double C10 = 0.0, C20 = 0.0, C30 = 0.0;  ///< Pa
+  VolumeInput volume;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "C10", .unit = "Pa", .meaning = "coefficient of x = J^(-2/3) I1 - 3; half the initial shear modulus", .required = true, .bound = positive()},
+          self.C10);
+    field(Field{.key = "C20", .unit = "Pa", .meaning = "coefficient of x^2; negative where the solid softens first", .required = true}, self.C20);
+    field(Field{.key = "C30", .unit = "Pa", .meaning = "coefficient of x^3", .required = true, .bound = non_negative()}, self.C30);
+    VolumeInput::describe(self.volume, field);
+  }
+  static LawPage page();
+  Yeoh law() const { return {C10, C20, C30, volume.part(2.0 * C10)}; }
+};
+
 struct FungInput {
   double shear_modulus = 0.0;  ///< Pa
   double stiffening = 0.0;
@@ -191,6 +208,7 @@ void for_each_law_input(Visitor&& visit) {
   visit.template operator()<NeoHookeInput>();
   visit.template operator()<MooneyRivlinInput>();
   visit.template operator()<OgdenInput>();
+  visit.template operator()<YeohInput>();
   visit.template operator()<FungInput>();
   visit.template operator()<CompressibleNeoHookeInput>();
   visit.template operator()<LinearElasticInput>();

@@ -33,6 +33,13 @@ LawPage OgdenInput::page() {
           .source = "Ogden, Proc. R. Soc. A 326 (1972) 565-584"};
 }
 
+LawPage YeohInput::page() {
+  return {.name = "Yeoh",
+          .formula = "W = C10 x + C20 x^2 + C30 x^3 + U(J), x = J^(-2/3) I1 - 3, shear modulus 2 C10",
+          .use = "skin, muscle and elastomers that stiffen with stretch, from sets published in this form; blind to what the second invariant tells",
+          .source = "Yeoh, Rubber Chem. Technol. 66 (1993) 754-771"};
+}
+
 LawPage FungInput::page() {
   return {.name = "Fung",
           .formula = "W = mu/(2 b) (exp(b (J^(-2/3) I1 - 3)) - 1) + U(J), b = stiffening",

@@ -17,12 +17,13 @@
 #include "materials/laws/mooney_rivlin.hpp"
 #include "materials/laws/neo_hooke.hpp"
 #include "materials/laws/ogden.hpp"
+#include "materials/laws/yeoh.hpp"
 
 namespace snug::materials {
 
 /// Every law of a solid, visibly. Adding one is a file, this line, its input (laws/inputs.hpp) and the line in the
 /// typed test list.
-using SolidLaw = std::variant<NeoHooke, MooneyRivlin, Ogden, Fung, CompressibleNeoHooke, LinearElastic>;
+using SolidLaw = std::variant<NeoHooke, MooneyRivlin, Ogden, Yeoh, Fung, CompressibleNeoHooke, LinearElastic>;
 
 /// A law made of an isochoric and a volumetric part.
 template <class Law>

@@ -29,6 +29,10 @@ inline materials::Ogden example() {
   return {.terms = {{6e3, 1.3}, {0.3e3, 5.0}, {-5.35e3, -2.0}}, .volume = example_volume};
 }
 template <>
+inline materials::Yeoh example() {
+  return {.C10 = 5e3, .C20 = -0.8e3, .C30 = 0.3e3, .volume = example_volume};
+}
+template <>
 inline materials::Fung example() {
   return {.shear_modulus = 10e3, .stiffening = 0.7, .volume = example_volume};
 }
@@ -41,8 +45,8 @@ inline materials::LinearElastic example() {
   return {.youngs_modulus = 29.8e3, .poisson_ratio = 0.49};
 }
 
-using SplitLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Fung>;
-using AllLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Fung,
+using SplitLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Yeoh, materials::Fung>;
+using AllLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Yeoh, materials::Fung,
                                  materials::CompressibleNeoHooke, materials::LinearElastic>;
 
 /// General F of the reference book 1.1.

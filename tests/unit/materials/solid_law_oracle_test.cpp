@@ -47,6 +47,11 @@ Second energy(const materials::MooneyRivlin& law, const Tensor& F) {
   const auto [I1, I2, J] = invariants(F);
   return law.C10 * (pow(J, -2.0 / 3.0) * I1 - 3.0) + law.C01 * (pow(J, -4.0 / 3.0) * I2 - 3.0) + barrier(law.volume, J);
 }
+Second energy(const materials::Yeoh& law, const Tensor& F) {
+  const auto [I1, I2, J] = invariants(F);
+  const Second x = pow(J, -2.0 / 3.0) * I1 - 3.0;
+  return law.C10 * x + law.C20 * x * x + law.C30 * x * x * x + barrier(law.volume, J);
+}
 Second energy(const materials::Fung& law, const Tensor& F) {
   const auto [I1, I2, J] = invariants(F);
   const Second Q = law.stiffening * (pow(J, -2.0 / 3.0) * I1 - 3.0);

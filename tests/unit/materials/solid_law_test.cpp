@@ -160,6 +160,18 @@ TEST(Fung, BecomesNeoHookeWithoutStiffening) {
   EXPECT_LT(largest(a.tangent - b.tangent), 1e-8 * largest(b.tangent));
 }
 
+TEST(Yeoh, IsNeoHookeWithItsFirstConstantAlone) {
+  // C20 = C30 = 0 leaves mu = 2 C10; in simple tension the stress is 2 (l^2 - 1/l) (C10 + 2 C20 x + 3 C30 x^2), x = l^2 + 2/l - 3.
+  const materials::Yeoh plain{.C10 = 5e3, .C20 = 0.0, .C30 = 0.0, .volume = example_volume};
+  const auto a = coupled(SolidLaw(plain), large_gradient()), b = coupled(SolidLaw(example<materials::NeoHooke>()), large_gradient());
+  EXPECT_LT(largest(a.tangent - b.tangent), 1e-13 * largest(b.tangent));
+  const double stretch = 1.7, x = stretch * stretch + 2.0 / stretch - 3.0;
+  const Matrix3d F = Eigen::Vector3d(stretch, 1.0 / std::sqrt(stretch), 1.0 / std::sqrt(stretch)).asDiagonal();
+  const auto yeoh = example<materials::Yeoh>();
+  const Matrix3d cauchy = yeoh.isochoric(F).stress * F.transpose();  // the pressure that keeps the volume is the same all round
+  EXPECT_NEAR(cauchy(0, 0) - cauchy(1, 1), 2.0 * (stretch * stretch - 1.0 / stretch) * (yeoh.C10 + 2.0 * yeoh.C20 * x + 3.0 * yeoh.C30 * x * x), 1e-9);
+}
+
 TEST(Ogden, OneTermOfTwoIsNeoHooke) {
   // alpha = 2, mu_1 = mu is neo-Hooke; alpha = 2 and -2 with 2 C10 and -2 C01 is Mooney-Rivlin: stress and tangent.
   for (const Matrix3d& F : gradients()) {
