@@ -80,8 +80,9 @@ struct BodyMesh {
   std::vector<NodalForce> forces;             ///< of the file
   std::vector<HeldComponent> held;            ///< of the file
   std::vector<FacetPressure> pressures;       ///< of the file
+  std::vector<input::Diagnostic> remarks;     ///< what the file asks for and is done otherwise here
 
-  /// The surface of that name, or null.
+  /// The surface of that name, also in other capitals where there is one such only; or null.
   const Surface* surface(const std::string& name) const;
 };
 

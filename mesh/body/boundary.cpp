@@ -1,5 +1,6 @@
 // Surfaces of a body mesh, and the same body in cells of another kind.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -113,7 +114,14 @@ std::vector<int> renumbered(const std::vector<int>& nodes, const std::vector<int
 const Surface* BodyMesh::surface(const std::string& name) const {
   for (const Surface& surface : surfaces)
     if (surface.name == name) return &surface;
-  return nullptr;
+  const auto plain = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+  };
+  std::vector<const Surface*> alike;
+  for (const Surface& surface : surfaces)
+    if (plain(surface.name) == plain(name)) alike.push_back(&surface);
+  return alike.size() == 1 ? alike[0] : nullptr;
 }
 
 namespace {

@@ -31,6 +31,9 @@ std::string law_table(const ModelMaterial& material, double stress, double densi
     case ModelLaw::mooney_rivlin:
       law = fmt::format("law = \"Mooney-Rivlin\", C10 = {}, C01 = {}, {}", pascal(c[0]), pascal(c[1]), volume);
       break;
+    case ModelLaw::yeoh:
+      law = fmt::format("law = \"Yeoh\", C10 = {}, C20 = {}, C30 = {}, {}", pascal(c[0]), pascal(c[1]), pascal(c[2]), volume);
+      break;
     case ModelLaw::ogden: {
       std::vector<std::string> terms;
       for (std::size_t t = 0; t + 1 < c.size(); t += 2)

@@ -36,6 +36,12 @@ int ForeignNodes::between(std::vector<int> around, const Eigen::Vector3d& at, st
   return it->second;
 }
 
+int ForeignNodes::find(std::vector<int> around) const {
+  std::sort(around.begin(), around.end());
+  const auto found = between_.find(around);
+  return found == between_.end() ? -1 : found->second;
+}
+
 void ForeignNodes::set_middle(int a, int b, int number) {
   std::vector<int> ends = {std::min(a, b), std::max(a, b)};
   between_.emplace(std::move(ends), node_of(number));

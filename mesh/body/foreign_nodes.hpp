@@ -23,6 +23,8 @@ class ForeignNodes {
   /// The node amid others, made at `at` where it is missing; it belongs to sets and supports when all `parents` (left out:
   /// those around) do.
   int between(std::vector<int> around, const Eigen::Vector3d& at, std::vector<int> parents = {});
+  /// The same where it has been made, else -1.
+  int find(std::vector<int> around) const;
   int middle(int a, int b) { return between({a, b}, 0.5 * (mesh_.nodes[a] + mesh_.nodes[b])); }
   /// The mid-edge node of the file.
   void set_middle(int a, int b, int number);

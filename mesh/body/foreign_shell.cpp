@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "mesh/body/foreign_forces.hpp"
 #include "mesh/body/foreign_material.hpp"
 #include "mesh/body/foreign_nodes.hpp"
 
@@ -26,6 +27,7 @@ class ShellConversion {
     mesh_.layers = foreign_layers(model_, spec_);
     std::set<int> used;
     for (const ModelElement& element : model_.elements) used.insert(element.nodes.begin(), element.nodes.end());
+    used.erase(0);
     for (const int number : used) nodes_.node_of(number);
     for (const ModelElement& element : model_.elements) add(element);
     check_areas();
@@ -34,7 +36,9 @@ class ShellConversion {
     add_surfaces();
     nodes_.add_supports();
     nodes_.add_forces();
+    spread_forces(model_, nodes_, mesh_);
     add_pressures();
+    mesh_.remarks = model_.remarks;
     mesh_.mean_skin_cell = mean_edge(mesh_, mesh_.skin_facets);
     mesh_.node_location.assign(mesh_.nodes.size(), -1);
     return std::move(mesh_);
@@ -49,7 +53,8 @@ class ShellConversion {
     if (static_cast<int>(apart.size()) < corners)
       throw InputError({file_, model_.line_of(e.number), 1}, fmt::format("element {} has a corner twice", e.number), "give it corners apart");
     if (node_count(e.kind) > corners)
-      for (int m = 0; m < corners; ++m) nodes_.set_middle(corner[m], corner[(m + 1) % corners], e.nodes[corners + m]);
+      for (int m = 0; m < corners; ++m)
+        if (e.nodes[corners + m] != 0) nodes_.set_middle(corner[m], corner[(m + 1) % corners], e.nodes[corners + m]);
     if (corners == 3) return add_triangle(e, {corner[0], corner[1], corner[2]});
     // The middle of the cut lies where the quadrilateral has it (serendipity or bilinear), on the shorter diagonal.
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();

@@ -49,7 +49,7 @@ FieldLine cut(std::string_view line, int number, const FixedColumns& columns, co
   return row;
 }
 
-constexpr std::size_t most_errors = 20;
+constexpr std::size_t most_errors = most_model_errors;
 
 /// The format line of a block, or nothing and an error.
 FixedColumns format_of(const FieldLine& head, LineSource& lines) {
@@ -67,6 +67,25 @@ bool is_end(std::string_view line) {
   return text == "-1" || text.starts_with("N,") || text.starts_with("n,");
 }
 
+}  // namespace
+
+void set_frame(ApdlDeck& deck, int node, double thxy, double thyz, double thzx) {
+  deck.frames.erase(node);
+  if (thxy != 0.0 || thyz != 0.0 || thzx != 0.0) deck.frames[node] = frame_of_angles(thxy, thyz, thzx);
+}
+
+void set_key_option(const FieldLine& line, ApdlDeck& deck, int type, int option, std::size_t field) {
+  const int value = line.integer_at(field), ename = deck.types.contains(type) ? deck.types.at(type) : 0;
+  if (value != 0) deck.options[type][option] = value;
+  const bool shell = ename == 63 || ename == 181 || ename == 281 || ename == 93;
+  if (shell && option == 1 && value != 0)
+    line.error(field, "the shell is a membrane without bending, or bends without stretching", "leave the key option 1 at 0");
+  if (ename == 154 && option != 4 && value != 0)
+    line.error(field, fmt::format("key option {} of SURF154 is {}", option, value), "pressures are read that act along the normal of SURF154: leave its key options at 0, but for (4)");
+}
+
+namespace {
+
 void read_nodes(const FieldLine& head, LineSource& lines, ApdlDeck& deck) {
   const FixedColumns columns = format_of(head, lines);
   const auto first_real = std::find(columns.integer.begin(), columns.integer.end(), 0) - columns.integer.begin();
@@ -79,6 +98,7 @@ void read_nodes(const FieldLine& head, LineSource& lines, ApdlDeck& deck) {
     Eigen::Vector3d at;
     for (int c = 0; c < 3; ++c) at[c] = row.number_at(first_real + c);
     deck.nodes[number] = at;
+    set_frame(deck, number, row.number_at(first_real + 3), row.number_at(first_real + 4), row.number_at(first_real + 5));
     if (head.diagnostics.errors().size() > most_errors) return;
   }
 }
@@ -97,8 +117,6 @@ void read_elements(const FieldLine& head, LineSource& lines, ApdlDeck& deck) {
       row.error(8, "this is no element of an EBLOCK with 19 columns", "give MAT, TYPE, REAL, SECNUM, ..., the number of nodes, ..., the element and its nodes");
       return;
     }
-    if (row.integer_at(4) != 0)
-      return row.error(4, "the element has a coordinate system of its own", "use isotropic materials with ESYS 0");
     std::size_t field = 11;
     while (static_cast<int>(element.nodes.size()) < count) {
       if (field >= row.fields.size()) {
@@ -172,7 +190,9 @@ void read_types(const FieldLine& head, LineSource& lines, ApdlDeck& deck) {
   if (columns.widths.empty()) return;
   for (std::string_view line; lines.next(line) && !is_end(line);) {
     const FieldLine row = cut(line, lines.number(), columns, head);
-    deck.types[row.integer_at(0)] = row.integer_at(1);
+    const int number = row.integer_at(0);
+    deck.types[number] = row.integer_at(1);
+    for (std::size_t f = 2; f < row.fields.size(); ++f) set_key_option(row, deck, number, static_cast<int>(f) - 1, f);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "mesh/formats/fields.hpp"
 #include "mesh/formats/model.hpp"
+#include "mesh/formats/nodal_frames.hpp"
 
 namespace snug::mesh {
 
@@ -38,6 +39,8 @@ struct ApdlDeck {
   std::vector<ApdlElement> elements;
   std::vector<ApdlArea> areas;
   std::map<int, int> types;  ///< number -> that of the element's name (SHELL63: 63)
+  std::map<int, std::map<int, int>> options;  ///< key options that are not 0, by type
+  NodalFrames frames;
   std::map<int, ApdlMaterial> materials;
   std::map<int, std::vector<double>> reals, shell_sections;
   std::map<std::string, std::vector<int>> node_sets, element_sets;
@@ -45,6 +48,7 @@ struct ApdlDeck {
   std::vector<ModelForce> forces, keypoint_forces;
   std::vector<ModelPressure> pressures;  ///< faces as Ansys counts them, from 1
   int divisions = 0;                     ///< of a line between keypoints; 0: not said
+  bool large_displacements = false;      ///< NLGEOM,ON
 };
 
 /// Fixed columns of a Fortran format such as (3i9,6e21.13e3).
@@ -66,6 +70,12 @@ class LineSource {
   std::string_view rest_;
   int number_ = 0;
 };
+
+/// The frame of a node by its angles (degrees).
+void set_frame(ApdlDeck& deck, int node, double thxy, double thyz, double thzx);
+/// A key option of a type; those that change what the element is are reported. Of shells the first option turns bending off; the
+/// others of solids and shells choose integration and output.
+void set_key_option(const FieldLine& line, ApdlDeck& deck, int type, int option, std::size_t field);
 
 /// Reads the block that `head` (NBLOCK, EBLOCK, CMBLOCK, RLBLOCK, ETBLOCK, SECBLOCK) begins; true when it is one.
 bool read_block(const FieldLine& head, LineSource& lines, ApdlDeck& deck);

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "mesh/formats/apdl_deck.hpp"
 
@@ -9,46 +12,78 @@ namespace snug::mesh {
 
 namespace {
 
-enum class Shape { none, hexahedron, tetrahedron, shell };
+enum class Shape { none, hexahedron, tetrahedron, shell, surface };
 
 Shape shape_of(int ename) {
   switch (ename) {
     case 45: case 95: case 185: case 186: return Shape::hexahedron;
     case 92: case 187: case 285: return Shape::tetrahedron;
     case 63: case 93: case 181: case 281: return Shape::shell;
+    case 154: return Shape::surface;
     default: return Shape::none;
   }
 }
 
 constexpr const char* supported =
-    "snug reads hexahedra SOLID185 186 45 95, tetrahedra SOLID187 92 285 and shells SHELL63 181 281 93";
+    "snug reads solids SOLID185 186 45 95 (also as wedges, pyramids and tetrahedra), tetrahedra SOLID187 92 285, shells SHELL63 181 281 93, and "
+    "pressures on SURF154";
 
-/// Kind and nodes of an element whose node list may repeat corners, as Ansys writes triangles and tetrahedra.
-bool set_nodes(ModelElement& to, Shape shape, const std::vector<int>& n) {
-  const std::size_t count = n.size();
+/// The nodes that stand at these places.
+std::vector<int> picked(const std::vector<int>& from, std::initializer_list<int> places) {
+  std::vector<int> nodes;
+  for (const int place : places) nodes.push_back(from[place]);
+  return nodes;
+}
+
+/// An element without one of its middles is as good as one with corners only.
+void leave_missing_middles_out(ModelElement& element) {
+  const auto corners = element.nodes.begin() + corner_count(element.kind);
+  if (corners == element.nodes.end() || std::any_of(corners, element.nodes.end(), [](int node) { return node != 0; })) return;
+  element.nodes.erase(corners, element.nodes.end());
+  static const std::map<ElementKind, ElementKind> straight = {
+      {ElementKind::tet10, ElementKind::tet4}, {ElementKind::hex20, ElementKind::hex8},   {ElementKind::wedge15, ElementKind::wedge6},
+      {ElementKind::pyramid13, ElementKind::pyramid5}, {ElementKind::tri6, ElementKind::tri3}, {ElementKind::quad8, ElementKind::quad4}};
+  element.kind = straight.at(element.kind);
+}
+
+/// Kind and nodes of an element whose node list may repeat corners, as Ansys writes triangles (KK), tetrahedra (IJKK MMMM), wedges
+/// (IJKK MNOO) and pyramids (IJKL MMMM); middles follow in the order of the hexahedron's edges. Middles left out at the end are 0.
+bool set_nodes(ModelElement& to, Shape shape, std::vector<int> n) {
+  std::size_t count = n.size();
   const auto as = [&](ElementKind kind, std::vector<int> nodes) {
     to.kind = kind, to.nodes = std::move(nodes);
-    return std::all_of(to.nodes.begin(), to.nodes.end(), [](int node) { return node > 0; });
+    const bool whole = std::all_of(to.nodes.begin(), to.nodes.begin() + corner_count(kind), [](int node) { return node > 0; });
+    const std::set<int> apart(to.nodes.begin(), to.nodes.begin() + corner_count(kind));
+    leave_missing_middles_out(to);
+    return whole && static_cast<int>(apart.size()) == corner_count(kind);
   };
-  if (shape == Shape::shell) {
+  const auto filled = [&](std::size_t full) { n.resize(full, 0), count = full; };
+  if (shape == Shape::shell || shape == Shape::surface) {
     if (count == 3) return as(ElementKind::tri3, n);
     if (count == 4) return n[2] == n[3] ? as(ElementKind::tri3, {n[0], n[1], n[2]}) : as(ElementKind::quad4, n);
     if (count == 6) return as(ElementKind::tri6, n);
-    if (count == 8) return n[2] == n[3] ? as(ElementKind::tri6, {n[0], n[1], n[2], n[4], n[5], n[7]}) : as(ElementKind::quad8, n);
-    return false;
+    if (count < 5 || count > 8) return false;
+    filled(8);
+    return n[2] == n[3] ? as(ElementKind::tri6, {n[0], n[1], n[2], n[4], n[5], n[7]}) : as(ElementKind::quad8, n);
   }
   if (shape == Shape::tetrahedron) {
     if (count == 4) return as(ElementKind::tet4, n);
-    return count == 10 && as(ElementKind::tet10, n);
+    if (count < 4 || count > 10) return false;
+    return filled(10), as(ElementKind::tet10, n);
   }
   if (count == 4) return as(ElementKind::tet4, n);
-  if (count == 8 && n[2] == n[3] && n[4] == n[5] && n[5] == n[6] && n[6] == n[7])
-    return as(ElementKind::tet4, {n[0], n[1], n[2], n[4]});
-  std::vector<int> corners(n.begin(), n.begin() + std::min<std::size_t>(count, 8));
-  std::sort(corners.begin(), corners.end());
-  if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) return false;  // wedge or pyramid
-  if (count == 8) return as(ElementKind::hex8, n);
-  return count == 20 && as(ElementKind::hex20, n);
+  if (count == 10) return as(ElementKind::tet10, n);
+  if (count < 8 || count > 20) return false;
+  const bool tip = n[4] == n[5] && n[5] == n[6] && n[6] == n[7], edge = n[2] == n[3], upper_edge = n[6] == n[7];
+  if (count == 8) {
+    if (edge && tip) return as(ElementKind::tet4, picked(n, {0, 1, 2, 4}));
+    if (edge && upper_edge) return as(ElementKind::wedge6, picked(n, {0, 1, 2, 4, 5, 6}));
+    return tip ? as(ElementKind::pyramid5, picked(n, {0, 1, 2, 3, 4})) : as(ElementKind::hex8, n);
+  }
+  filled(20);
+  if (edge && tip) return as(ElementKind::tet10, picked(n, {0, 1, 2, 4, 8, 9, 11, 16, 17, 18}));
+  if (edge && upper_edge) return as(ElementKind::wedge15, picked(n, {0, 1, 2, 4, 5, 6, 8, 9, 11, 12, 13, 15, 16, 17, 18}));
+  return tip ? as(ElementKind::pyramid13, picked(n, {0, 1, 2, 3, 4, 8, 9, 10, 11, 16, 17, 18, 19})) : as(ElementKind::hex20, n);
 }
 
 std::vector<double> hyperelastic_constants(const ApdlMaterial& material) {
@@ -56,6 +91,7 @@ std::vector<double> hyperelastic_constants(const ApdlMaterial& material) {
   const auto bulk = [](double d) { return 2.0 / d; };
   if (material.hyperelastic == ModelLaw::neo_hooke) return {at(0), bulk(at(1))};
   if (material.hyperelastic == ModelLaw::mooney_rivlin) return {at(0), at(1), bulk(at(2))};
+  if (material.hyperelastic == ModelLaw::yeoh) return {at(0), material.terms > 1 ? at(1) : 0.0, material.terms > 2 ? at(2) : 0.0, bulk(at(material.terms))};
   std::vector<double> constants;
   for (int t = 0; t < 2 * material.terms; ++t) constants.push_back(at(t));
   constants.push_back(bulk(at(2 * material.terms)));
@@ -70,12 +106,15 @@ class Assembly {
   Model operator()() {
     for (const auto& [number, at] : deck_.nodes) model_.nodes.push_back({number, at});
     for (const ApdlElement& element : deck_.elements)
-      if (diagnostics_.errors().size() < 20) add(element);
-    model_.supports = deck_.supports, model_.forces = deck_.forces;
+      if (diagnostics_.errors().size() < most_model_errors) add(element);
+    model_.supports = deck_.supports, model_.forces = last_values(deck_.forces);
     model_.node_sets = deck_.node_sets;
+    turn_into_global(model_, deck_.frames, file_, diagnostics_);
     finish(model_, file_, diagnostics_);
     add_pressures();
     name_materials();
+    if (!deck_.large_displacements && (!model_.forces.empty() || !model_.pressures.empty() || !model_.supports.empty()))
+      model_.remarks.push_back(linear_step_remark(file_, "NLGEOM,ON"));
     return std::move(model_);
   }
 
@@ -94,8 +133,13 @@ class Assembly {
     ModelElement to{element.number, ElementKind::hex8, {}, material(element), -1};
     if (element.number < 1) return error(element.line, "an element has no number", "elements count from 1");
     if (!set_nodes(to, shape, element.nodes))
-      return error(element.line, fmt::format("element {} of type {} has {} nodes, some of them the same: a wedge, a pyramid or none",
+      return error(element.line, fmt::format("element {} of type {} has {} nodes, some of them the same or 0, as no solid or shell has them",
                                              element.number, type->second, element.nodes.size()), supported);
+    if (shape == Shape::tetrahedron) own_tetrahedra_.insert(to.number);
+    if (shape == Shape::surface) {
+      surfaces_.push_back(std::move(to));
+      return;
+    }
     if (shape == Shape::shell) to.section = section(element, type->second);
     model_.element_line[to.number] = element.line;
     model_.elements.push_back(std::move(to));
@@ -114,6 +158,9 @@ class Assembly {
       // Ansys: PRXY is 0.3 where nothing is said; for an isotropic material NUXY is the same number.
       if (to.law == ModelLaw::elastic) to.constants = {value("EX", 0.0), value("PRXY", value("NUXY", 0.3))};
       else if (to.law != ModelLaw::none) to.constants = hyperelastic_constants(from->second);
+      const std::size_t first_volume = to.law == ModelLaw::yeoh ? from->second.terms : to.law == ModelLaw::ogden ? 2 * from->second.terms : 60;
+      for (std::size_t d = first_volume + 1; d < from->second.table.size(); ++d)
+        if (from->second.table[d] != 0.0) error(from->second.line, fmt::format("the volume of material {} has a law of higher order", element.material), "give d1 only");
       if (to.law != ModelLaw::none && to.law != ModelLaw::elastic && !std::isfinite(to.constants.back()))
         error(from->second.line, fmt::format("material {} is perfectly incompressible (d = 0)", element.material), "give d = 2/kappa with a bulk modulus");
     }
@@ -145,26 +192,82 @@ class Assembly {
     return static_cast<int>(std::find(model_.sections.begin(), model_.sections.end(), to) - model_.sections.begin());
   }
 
-  /// Faces of Ansys: hexahedra 1 below, 2 to 5 around, 6 above; shells 1 below (along the normal), 2 above.
+  /// A force set again takes the place of the first.
+  static std::vector<ModelForce> last_values(const std::vector<ModelForce>& forces) {
+    std::map<std::pair<int, int>, std::size_t> place;
+    std::vector<ModelForce> last;
+    for (const ModelForce& force : forces) {
+      const auto [it, fresh] = place.emplace(std::pair(force.node, force.component), last.size());
+      if (fresh) last.push_back(force);
+      else last[it->second].value = force.value;
+    }
+    return last;
+  }
+
+  /// SURF154 lies on a face of a solid; its pressure acts against its normal (Ansys element reference, SURF154, face 1).
+  bool add_surface_pressure(const ModelPressure& pressure) {
+    const auto surface = std::find_if(surfaces_.begin(), surfaces_.end(), [&](const ModelElement& s) { return s.number == pressure.element; });
+    if (surface == surfaces_.end()) return false;
+    const int corners = corner_count(surface->kind), line = model_.line_of(pressure.element);
+    const std::vector<int> own(surface->nodes.begin(), surface->nodes.begin() + corners);
+    if (faces_.empty()) find_faces();
+    const auto face = faces_.find(std::set<int>(own.begin(), own.end()));
+    if (pressure.face != 1)
+      error(line, fmt::format("a pressure acts along face {} of the surface element {}", pressure.face, pressure.element), "pressures on SURF154 act on face 1, along its normal");
+    else if (face == faces_.end())
+      error(line, fmt::format("the surface element {} lies on no face of a solid", pressure.element), "put it on the face of a solid");
+    else
+      model_.pressures.push_back({face->second.element, face->second.face, runs_like(own, face->second.corners) ? -pressure.value : pressure.value});
+    return true;
+  }
+  struct SolidFace {
+    int element, face;
+    std::vector<int> corners;  ///< their normal points into the solid
+  };
+  void find_faces() {
+    for (const ModelElement& element : model_.elements) {
+      if (is_shell(element.kind)) continue;
+      const auto& faces = model_faces(element.kind);
+      for (std::size_t f = 0; f < faces.size(); ++f) {
+        SolidFace face{element.number, static_cast<int>(f), {}};
+        for (const int corner : faces[f]) face.corners.push_back(element.nodes[corner]);
+        faces_[std::set<int>(face.corners.begin(), face.corners.end())] = face;
+      }
+    }
+  }
+  /// Both go round the same way.
+  static bool runs_like(const std::vector<int>& a, const std::vector<int>& b) {
+    const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
+    return b[(first + 1) % b.size()] == a[1];
+  }
+
+  /// Faces of Ansys in ours: of hexahedra 1 below, 2 to 5 around, 6 above; wedges, pyramids and tetrahedra with the nodes of a hexahedron
+  /// count the faces of the hexahedron, of which those that have collapsed are none (-1). Tetrahedra of their own count as here
+  /// (element reference, SOLID185 to SOLID187).
+  static int face_of_ansys(ElementKind kind, bool as_hexahedron, int face) {
+    static const std::map<int, std::array<int, 6>> by_corners = {
+        {8, {0, 2, 3, 4, 5, 1}}, {6, {0, 2, 3, -1, 4, 1}}, {5, {0, 1, 2, 3, 4, -1}}, {4, {0, 1, 2, -1, 3, -1}}};
+    if (face < 1 || face > 6) return -1;
+    return as_hexahedron ? by_corners.at(corner_count(kind))[face - 1] : face <= 4 ? face - 1 : -1;
+  }
+  /// Of shells 1 below (along the normal), 2 above.
   void add_pressures() {
     std::map<int, const ModelElement*> by_number;
     for (const ModelElement& element : model_.elements) by_number[element.number] = &element;
-    for (ModelPressure pressure : deck_.pressures) {
+    std::map<std::pair<int, int>, ModelPressure> last;  // set again, a pressure takes the place of the first
+    for (const ModelPressure& pressure : deck_.pressures) last[{pressure.element, pressure.face}] = pressure;
+    for (auto& [key, pressure] : last) {
+      if (add_surface_pressure(pressure)) continue;
       const auto element = by_number.find(pressure.element);
       const ElementKind kind = element == by_number.end() ? ElementKind::hex8 : element->second->kind;
-      const int faces = element == by_number.end() ? 6 : is_shell(kind) ? 2 : static_cast<int>(model_faces(kind).size());
-      if (pressure.face < 1 || pressure.face > faces || element == by_number.end()) {
+      const int face = is_shell(kind) ? (pressure.face == 1 || pressure.face == 2 ? 0 : -1)
+                                      : face_of_ansys(kind, !own_tetrahedra_.contains(pressure.element), pressure.face);
+      if (face < 0 || element == by_number.end()) {
         error(0, fmt::format("a pressure acts on face {} of element {}, which is not there", pressure.face, pressure.element), "correct the SFE command");
         continue;
       }
-      if (is_shell(kind)) {
-        if (pressure.face == 2) pressure.value = -pressure.value;
-        pressure.face = 0;
-      } else if (is_tetrahedron(kind)) {
-        pressure.face -= 1;
-      } else {
-        pressure.face = pressure.face == 1 ? 0 : pressure.face == 6 ? 1 : pressure.face;
-      }
+      if (is_shell(kind) && pressure.face == 2) pressure.value = -pressure.value;
+      pressure.face = face;
       model_.pressures.push_back(pressure);
     }
   }
@@ -188,6 +291,9 @@ class Assembly {
   Model model_;
   std::map<int, int> material_;
   std::set<std::pair<int, int>> bad_sections_;
+  std::vector<ModelElement> surfaces_;  ///< SURF154
+  std::set<int> own_tetrahedra_;        ///< elements that are no collapsed hexahedra
+  std::map<std::set<int>, SolidFace> faces_;
 };
 
 }  // namespace

@@ -20,6 +20,10 @@ int node_count(ElementKind kind) {
     case ElementKind::quad8: return 8;
     case ElementKind::tet10: return 10;
     case ElementKind::hex20: return 20;
+    case ElementKind::pyramid5: return 5;
+    case ElementKind::wedge6: return 6;
+    case ElementKind::pyramid13: return 13;
+    case ElementKind::wedge15: return 15;
   }
   return 0;
 }
@@ -30,6 +34,10 @@ int corner_count(ElementKind kind) {
     case ElementKind::tri6: return 3;
     case ElementKind::hex8:
     case ElementKind::hex20: return 8;
+    case ElementKind::wedge6:
+    case ElementKind::wedge15: return 6;
+    case ElementKind::pyramid5:
+    case ElementKind::pyramid13: return 5;
     default: return 4;
   }
 }
@@ -41,21 +49,38 @@ bool is_shell(ElementKind kind) {
 bool is_tetrahedron(ElementKind kind) { return kind == ElementKind::tet4 || kind == ElementKind::tet10; }
 
 std::string to_string(ElementKind kind) {
-  const char* shape = is_tetrahedron(kind) ? "tetrahedron" : !is_shell(kind) ? "hexahedron" : corner_count(kind) == 3 ? "triangle" : "quadrilateral";
+  const int corners = corner_count(kind);
+  const char* shape = is_shell(kind) ? (corners == 3 ? "triangle" : "quadrilateral")
+                      : corners == 4 ? "tetrahedron" : corners == 5 ? "pyramid" : corners == 6 ? "wedge" : "hexahedron";
   return fmt::format("{}-node {}", node_count(kind), shape);
 }
 
 const std::vector<std::vector<int>>& model_faces(ElementKind kind) {
   static const std::vector<std::vector<int>> tetrahedron = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}},
       hexahedron = {{0, 1, 2, 3}, {4, 7, 6, 5}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}},
+      wedge = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}},
+      pyramid = {{0, 1, 2, 3}, {0, 4, 1}, {1, 4, 2}, {2, 4, 3}, {3, 4, 0}},
       triangle = {{0, 1, 2}}, quadrilateral = {{0, 1, 2, 3}};
   if (is_shell(kind)) return corner_count(kind) == 3 ? triangle : quadrilateral;
-  return is_tetrahedron(kind) ? tetrahedron : hexahedron;
+  const int corners = corner_count(kind);
+  return corners == 4 ? tetrahedron : corners == 5 ? pyramid : corners == 6 ? wedge : hexahedron;
+}
+
+const std::vector<std::array<int, 2>>& model_edges(ElementKind kind) {
+  static const std::vector<std::array<int, 2>> tetrahedron = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}},
+      hexahedron = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
+      wedge = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}},
+      pyramid = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}, triangle = {{0, 1}, {1, 2}, {2, 0}},
+      quadrilateral = {{0, 1}, {1, 2}, {2, 3}, {3, 0}}, none = {};
+  if (node_count(kind) == corner_count(kind)) return none;
+  const int corners = corner_count(kind);
+  if (is_shell(kind)) return corners == 3 ? triangle : quadrilateral;
+  return corners == 4 ? tetrahedron : corners == 5 ? pyramid : corners == 6 ? wedge : hexahedron;
 }
 
 namespace {
 
-constexpr std::size_t most_errors = 20;
+constexpr std::size_t most_errors = most_model_errors;
 
 /// Reports what refers to nodes that are not there.
 class NodeCheck {
@@ -96,8 +121,9 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
   std::unordered_set<int> elements;
   for (const ModelElement& element : model.elements) {
     elements.insert(element.number);
-    for (const int node : element.nodes)
-      check(node, model.line_of(element.number), fmt::format("element {}", element.number));
+    for (std::size_t n = 0; n < element.nodes.size(); ++n)
+      if (element.nodes[n] != 0 || static_cast<int>(n) < corner_count(element.kind))
+        check(element.nodes[n], model.line_of(element.number), fmt::format("element {}", element.number));
   }
   for (const ModelSupport& support : model.supports) check(support.node, 0, "a support");
   for (const ModelForce& force : model.forces) check(force.node, 0, "a force");
@@ -110,6 +136,11 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const int node : nodes) check(node, 0, "the set " + name);
   }
+}
+
+input::Diagnostic linear_step_remark(const std::string& file, const std::string& switch_on, int line) {
+  return {{file, line, 1}, "the step is one of small displacements there, and is solved with large ones here",
+          "the answers agree only while strains and turns are small; add " + switch_on + " to the file to have both alike"};
 }
 
 /// Both programs call their input .inp: cards of CalculiX begin with one star and a letter.
@@ -130,10 +161,11 @@ bool is_model_file(const std::filesystem::path& file) {
   return false;
 }
 
-Model read_model(const std::filesystem::path& file) {
+Model read_model(const std::filesystem::path& file, const std::filesystem::path& root) {
   const std::string text = input::read_file(file);
   input::Diagnostics diagnostics;
-  Model model = looks_like_calculix(text) ? parse_calculix(text, file.string(), diagnostics)
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  Model model = looks_like_calculix(text) ? parse_calculix(text, file.string(), diagnostics, folder, root.empty() ? folder : root)
                                           : parse_apdl(text, file.string(), diagnostics);
   diagnostics.throw_if_any();
   return model;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,15 +15,18 @@
 namespace snug::mesh {
 
 /// Nodes in the order that Abaqus, CalculiX and Ansys share: corners (below, then above), then the middles of the edges
-/// below, above and upright; of triangles and tetrahedra 12 23 31 14 24 34.
-enum class ElementKind { tet4, tet10, hex8, hex20, tri3, tri6, quad4, quad8 };
+/// below, above and upright; of triangles and tetrahedra 12 23 31 14 24 34. The tip of a pyramid is its last corner. A middle
+/// that the file leaves out (0) lies half way.
+enum class ElementKind { tet4, tet10, hex8, hex20, tri3, tri6, quad4, quad8, wedge6, wedge15, pyramid5, pyramid13 };
 int node_count(ElementKind kind);
 int corner_count(ElementKind kind);
 bool is_shell(ElementKind kind);
 bool is_tetrahedron(ElementKind kind);
 /// "8-node hexahedron", ...
 std::string to_string(ElementKind kind);
-/// Corner places (from 0) of each face of a solid, in the order of CalculiX's labels P1, P2, ...
+/// Corner places (from 0) of the ends of each edge that has a middle, in the order of the middles.
+const std::vector<std::array<int, 2>>& model_edges(ElementKind kind);
+/// Corner places (from 0) of each face of a solid, in the order of CalculiX's labels P1, P2, ...; normals point inwards.
 const std::vector<std::vector<int>>& model_faces(ElementKind kind);
 
 struct ModelNode {
@@ -40,9 +44,9 @@ struct ModelElement {
   bool operator==(const ModelElement&) const = default;
 };
 
-/// Constants: elastic E, nu; neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Ogden mu_1, alpha_1, ..., kappa in the
+/// Constants: elastic E, nu; neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Yeoh C10, C20, C30, kappa; Ogden mu_1, alpha_1, ..., kappa in the
 /// convention W = sum mu_p/alpha_p (...). The hyperelastic laws have the volumetric energy kappa/2 (J - 1)^2.
-enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden };
+enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden, yeoh };
 
 struct ModelMaterial {
   std::string name;
@@ -88,6 +92,7 @@ struct Model {
   std::vector<ModelForce> forces;
   std::vector<ModelPressure> pressures;
   std::map<int, int> element_line;  ///< where an element stands in its file, for messages
+  std::vector<input::Diagnostic> remarks;  ///< what the file asks for and is done otherwise here
 
   /// Line of an element, 0 where it is not known.
   int line_of(int element) const {
@@ -96,18 +101,27 @@ struct Model {
   }
 };
 
+/// As many wrong places of a file are reported; the rest of it is not read.
+inline constexpr std::size_t most_model_errors = 1000;
+
 /// What the readers have in common at the end: sorts, and reports elements with nodes that are not there, materials
 /// without a law and supports and forces at nodes that are not there.
 void finish(Model& model, const std::string& file, input::Diagnostics& diagnostics);
 
+/// What is said where a file asks for a linear step: the answers differ as soon as displacements are large.
+input::Diagnostic linear_step_remark(const std::string& file, const std::string& switch_on, int line = 0);
+
 /// Reads APDL text or a CDB file (.cdb, .ans, .mac, .apdl, .txt), or CalculiX input (.inp), by the ending of its name.
+/// Files that it includes must lie in `root` (left out: in its own folder).
 /// Throws input::InputError with the line of everything that is wrong or cannot be taken over.
-Model read_model(const std::filesystem::path& file);
+Model read_model(const std::filesystem::path& file, const std::filesystem::path& root = {});
 /// True for names that read_model takes.
 bool is_model_file(const std::filesystem::path& file);
 
 Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics);
-Model parse_calculix(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics);
+/// *INCLUDE looks for files from `folder` and takes none outside `root`; without them it is refused.
+Model parse_calculix(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics, const std::filesystem::path& folder = {},
+                     const std::filesystem::path& root = {});
 
 /// One static step with large displacements; displacements of all nodes go to the .dat file. Numbers have the 20 characters
 /// that CalculiX reads: what is read back is what was written, to 1e-14 of the longest ones.

@@ -41,6 +41,10 @@ const char* calculix_type(ElementKind kind) {
     case ElementKind::tri6: return "S6";
     case ElementKind::quad4: return "S4";
     case ElementKind::quad8: return "S8R";
+    case ElementKind::wedge6: return "C3D6";
+    case ElementKind::wedge15: return "C3D15";
+    case ElementKind::pyramid5: return "C3D5";
+    case ElementKind::pyramid13: return "C3D13";
   }
   return "";
 }
@@ -62,6 +66,8 @@ std::string calculix_law(const ModelMaterial& material) {
     case ModelLaw::elastic: return fmt::format("*ELASTIC\n{}, {}\n", digits(c[0]), digits(c[1]));
     case ModelLaw::neo_hooke: return fmt::format("*HYPERELASTIC, NEO HOOKE\n{}, {}\n", digits(0.5 * c[0]), digits(D1));
     case ModelLaw::mooney_rivlin: return fmt::format("*HYPERELASTIC, MOONEY-RIVLIN\n{}, {}, {}\n", digits(c[0]), digits(c[1]), digits(D1));
+    case ModelLaw::yeoh:
+      return fmt::format("*HYPERELASTIC, YEOH\n{}, {}, {}, {}, 0, 0\n", digits(c[0]), digits(c[1]), digits(c[2]), digits(D1));
     case ModelLaw::ogden: {
       std::string line, zeros;
       for (std::size_t t = 0; t + 1 < c.size(); t += 2) line += fmt::format("{}, {}, ", digits(0.5 * c[t] * c[t + 1]), digits(c[t + 1]));
@@ -76,7 +82,11 @@ int ansys_type(ElementKind kind, bool foundation) {
   switch (kind) {
     case ElementKind::tet4: return 285;
     case ElementKind::tet10: return 187;
+    case ElementKind::wedge6:
+    case ElementKind::pyramid5:
     case ElementKind::hex8: return 185;
+    case ElementKind::wedge15:
+    case ElementKind::pyramid13:
     case ElementKind::hex20: return 186;
     case ElementKind::tri3:
     case ElementKind::quad4: return foundation ? 63 : 181;
@@ -87,6 +97,12 @@ int ansys_type(ElementKind kind, bool foundation) {
 std::vector<int> ansys_nodes(const ModelElement& e) {
   const std::vector<int>& n = e.nodes;
   if (e.kind == ElementKind::tri3) return {n[0], n[1], n[2], n[2]};
+  if (e.kind == ElementKind::wedge6) return {n[0], n[1], n[2], n[2], n[3], n[4], n[5], n[5]};
+  if (e.kind == ElementKind::pyramid5) return {n[0], n[1], n[2], n[3], n[4], n[4], n[4], n[4]};
+  if (e.kind == ElementKind::wedge15)
+    return {n[0], n[1], n[2], n[2], n[3], n[4], n[5], n[5], n[6], n[7], n[2], n[8], n[9], n[10], n[5], n[11], n[12], n[13], n[14], n[14]};
+  if (e.kind == ElementKind::pyramid13)
+    return {n[0], n[1], n[2], n[3], n[4], n[4], n[4], n[4], n[5], n[6], n[7], n[8], n[4], n[4], n[4], n[4], n[9], n[10], n[11], n[12]};
   if (e.kind == ElementKind::tri6) return {n[0], n[1], n[2], n[2], n[3], n[4], n[2], n[5]};
   return n;
 }
@@ -97,8 +113,10 @@ std::string ansys_law(const ModelMaterial& material, int number) {
   if (material.density > 0.0) text += fmt::format("MP,DENS,{},{:.17g}\n", number, material.density);
   if (material.law == ModelLaw::none) return text;
   if (material.law == ModelLaw::elastic) return text + fmt::format("MP,EX,{0},{1:.17g}\nMP,PRXY,{0},{2:.17g}\n", number, c[0], c[1]);
-  const int terms = material.law == ModelLaw::ogden ? static_cast<int>(c.size() / 2) : material.law == ModelLaw::mooney_rivlin ? 2 : 1;
-  text += fmt::format("TB,HYPER,{},1,{},{}\n", number, terms, material.law == ModelLaw::ogden ? "OGDEN" : material.law == ModelLaw::neo_hooke ? "NEO" : "MOONEY");
+  const int terms = material.law == ModelLaw::ogden ? static_cast<int>(c.size() / 2) : material.law == ModelLaw::mooney_rivlin ? 2
+                    : material.law == ModelLaw::yeoh ? 3 : 1;
+  const char* name = material.law == ModelLaw::ogden ? "OGDEN" : material.law == ModelLaw::neo_hooke ? "NEO" : material.law == ModelLaw::yeoh ? "YEOH" : "MOONEY";
+  text += fmt::format("TB,HYPER,{},1,{},{}\n", number, terms, name);
   for (std::size_t i = 0; i < c.size(); ++i)
     text += fmt::format("TBDATA,{},{:.17g}\n", i + 1, i + 1 == c.size() ? 2.0 / c[i] : c[i]);
   return text;
@@ -110,9 +128,42 @@ void write_component(std::ostream& out, const std::string& name, const char* kin
     fmt::print(out, "{:>10}{}", items[i], i % 8 == 7 || i + 1 == items.size() ? "\n" : "");
 }
 
+/// Middles that are left out (0) as nodes half way, held where both ends are: both programs do the same, but not every reader.
+Model with_all_middles(Model model) {
+  std::map<int, Eigen::Vector3d> places;
+  for (const ModelNode& node : model.nodes) places[node.number] = node.at;
+  std::map<std::pair<int, int>, int> made;
+  for (ModelElement& element : model.elements)
+    for (std::size_t m = 0; m < model_edges(element.kind).size(); ++m) {
+      int& middle = element.nodes[corner_count(element.kind) + m];
+      if (middle != 0) continue;
+      const auto [a, b] = model_edges(element.kind)[m];
+      const std::pair<int, int> ends = std::minmax(element.nodes[a], element.nodes[b]);
+      const auto [it, fresh] = made.emplace(ends, model.nodes.back().number + 1);
+      if (fresh) model.nodes.push_back({it->second, 0.5 * (places.at(ends.first) + places.at(ends.second))});
+      middle = it->second;
+    }
+  std::map<std::pair<int, int>, double> held;
+  for (const ModelSupport& support : model.supports) held[{support.node, support.component}] = support.value;
+  for (const auto& [ends, node] : made)
+    for (int c = 0; c < 6; ++c) {
+      const auto first = held.find({ends.first, c}), second = held.find({ends.second, c});
+      if (first != held.end() && second != held.end()) model.supports.push_back({node, c, 0.5 * (first->second + second->second)});
+    }
+  return model;
+}
+
+/// Faces of Ansys, which counts those of the hexahedron that the element has collapsed from.
+int ansys_face(ElementKind kind, int face) {
+  if (is_shell(kind) || is_tetrahedron(kind) || corner_count(kind) == 5) return face + 1;
+  if (corner_count(kind) == 6 && face == 4) return 5;
+  return face == 0 ? 1 : face == 1 ? 6 : face;
+}
+
 }  // namespace
 
-void write_calculix(std::ostream& out, const Model& model) {
+void write_calculix(std::ostream& out, const Model& given) {
+  const Model model = with_all_middles(given);
   out << "*HEADING\nwritten by snug\n*NODE, NSET=NALL\n";
   for (const ModelNode& node : model.nodes)
     fmt::print(out, "{}, {}, {}, {}\n", node.number, digits(node.at.x()), digits(node.at.y()), digits(node.at.z()));
@@ -161,7 +212,8 @@ void write_calculix(std::ostream& out, const Model& model) {
   out << "*NODE PRINT, NSET=NALL\nU\n*NODE FILE\nU\n*END STEP\n";
 }
 
-void write_cdb(std::ostream& out, const Model& model) {
+void write_cdb(std::ostream& out, const Model& given) {
+  const Model model = with_all_middles(given);
   out << "/COM, written by snug\n/PREP7\n";
   std::map<int, int> types;
   const auto type_of = [&](const ModelElement& e) {
@@ -209,8 +261,7 @@ void write_cdb(std::ostream& out, const Model& model) {
   for (const ModelElement& element : model.elements) kinds[element.number] = element.kind;
   for (const ModelPressure& p : model.pressures) {
     const ElementKind kind = kinds[p.element];
-    const int face = is_shell(kind) || is_tetrahedron(kind) ? p.face + 1 : p.face == 0 ? 1 : p.face == 1 ? 6 : p.face;
-    fmt::print(out, "SFE,{},{},PRES,,{:.17g}\n", p.element, face, p.value);
+    fmt::print(out, "SFE,{},{},PRES,,{:.17g}\n", p.element, ansys_face(kind, p.face), p.value);
   }
   out << "FINISH\n/SOLU\nANTYPE,STATIC\nNLGEOM,ON\nSOLVE\nFINISH\n";
 }

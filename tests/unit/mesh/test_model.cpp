@@ -124,7 +124,7 @@ TEST(CalculixInput, CardsSetsAndLoadsAreRead) {
 }
 
 TEST(CalculixInput, WhatCannotBeTakenOverIsSaidWithItsLine) {
-  EXPECT_NE(error_of(calculix, "*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D6, ELSET=E\n1,1,1,1,1,1,1\n").find("body.inp:3:11: error: elements of type C3D6"), std::string::npos);
+  EXPECT_NE(error_of(calculix, "*NODE\n1,0,0,0\n*ELEMENT, TYPE=C3D27, ELSET=E\n1,1,1,1,1,1,1\n").find("body.inp:3:11: error: elements of type C3D27"), std::string::npos);
   EXPECT_NE(error_of(calculix, "*NODE\n1,0,0,zero\n").find("body.inp:2:7: error: \"zero\" is no number"), std::string::npos);
   EXPECT_NE(error_of(calculix, "*CONTACT PAIR\nA,B\n").find("body.inp:1:1: error: the card *CONTACT PAIR is not taken over"), std::string::npos);
   std::string bare = cube;
