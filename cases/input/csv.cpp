@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
 
 #include "cases/input/files.hpp"
 #include "cases/input/suggestion.hpp"
+#include "cases/input/table_lines.hpp"
 #include "cases/input/units.hpp"
 
 namespace snug::input {
@@ -20,56 +22,57 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Splits one line at its commas; a comma inside double quotes belongs to the cell, "" there is one quote.
-Csv::Row split(const std::string& line, int number) {
-  Csv::Row row{.line = number, .cells = {""}, .columns = {1}};
-  bool inside_quotes = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') {
-      if (inside_quotes && i + 1 < line.size() && line[i + 1] == '"') {
-        row.cells.back() += line[i++];
-      } else {
-        inside_quotes = !inside_quotes;
-      }
-    } else if (line[i] == ',' && !inside_quotes) {
-      row.cells.emplace_back();
-      row.columns.push_back(static_cast<int>(i) + 2);
-    } else {
-      row.cells.back() += line[i];
-    }
-  }
-  for (std::size_t c = 0; c < row.cells.size(); ++c) {
-    const auto blanks = row.cells[c].find_first_not_of(" \t");
-    if (blanks != std::string::npos) row.columns[c] += static_cast<int>(blanks);
-    row.cells[c] = trimmed(row.cells[c]);
-  }
-  return row;
+Csv::Row row_of(const std::string& line, int number, char separator) {
+  LineCells cells = cells_of(line, separator);
+  return {.line = number, .cells = std::move(cells.texts), .columns = std::move(cells.columns)};
 }
 
-Csv::Column column_of(const std::string& head, const Location& where) {
-  const auto open = head.find('['), close = head.rfind(']');
-  if (open == std::string::npos || close == std::string::npos || close < open) return {head, "", where};
-  return {trimmed(head.substr(0, open)), trimmed(head.substr(open + 1, close - open - 1)), where};
+/// Spreadsheets leave empty cells at the end of lines, and lines of them at the end of a table.
+void drop_empty_end(Csv::Row& row, std::size_t keep) {
+  while (row.cells.size() > keep && row.cells.back().empty()) row.cells.pop_back(), row.columns.pop_back();
 }
 
 void add_row(Csv& csv, Csv::Row row, Diagnostics& diagnostics) {
   if (csv.columns.empty()) {
-    for (std::size_t c = 0; c < row.cells.size(); ++c)
-      csv.columns.push_back(column_of(row.cells[c], {csv.file, row.line, row.columns[c]}));
-  } else if (row.cells.size() != csv.columns.size()) {
-    diagnostics.error({csv.file, row.line, 1},
-                      fmt::format("{} cells where the head has {} columns", row.cells.size(), csv.columns.size()),
-                      "give one cell a column, separated by commas");
-  } else {
-    csv.rows.push_back(std::move(row));
+    drop_empty_end(row, 1);
+    for (std::size_t c = 0; c < row.cells.size(); ++c) {
+      const HeadText head = head_of(row.cells[c]);
+      csv.columns.push_back({head.name, head.unit, {csv.file, row.line, row.columns[c]}});
+    }
+    return;
   }
+  if (row.cells.size() > 1 && std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); })) return;
+  drop_empty_end(row, csv.columns.size());
+  if (row.cells.size() == csv.columns.size()) return csv.rows.push_back(std::move(row));
+  const char* separator = csv.separator == ';' ? "semicolons" : csv.separator == '\t' ? "tabs" : "commas";
+  diagnostics.error({csv.file, row.line, 1}, fmt::format("{} cells where the head has {} columns", row.cells.size(), csv.columns.size()),
+                    fmt::format("give one cell a column, separated by {} as the head is{}", separator,
+                                csv.separator == ',' && row.cells.size() > csv.columns.size() ? "; with decimal commas separate by semicolons or tabs" : ""));
+}
+
+/// Where commas do not separate they may stand for decimal points. "1,234" alone could be a thousand; a file with tabs must show by
+/// some other number which it is.
+enum class Comma { none, decimal, unclear };
+
+Comma comma_of(const Csv& csv) {
+  if (csv.separator == ',') return Comma::none;
+  bool commas = false, shown = csv.separator == ';';
+  for (const Csv::Row& row : csv.rows)
+    for (const std::string& cell : row.cells) {
+      const auto comma = cell.find(',');
+      if (comma == std::string::npos || cell.find_first_not_of("+-0123456789,Ee") != std::string::npos || cell.find(',', comma + 1) != std::string::npos) continue;
+      commas = true;
+      const std::size_t digits = cell.find_first_not_of("0123456789", comma + 1);
+      shown |= std::min(digits, cell.size()) - comma - 1 != 3 || cell.find_first_of("123456789") > comma;
+    }
+  return !commas ? Comma::none : shown ? Comma::decimal : Comma::unclear;
 }
 
 /// Size in SI of the unit that the head gives in brackets.
 bool factor_of(const Csv::Column& column, const std::string& si_unit, double& factor, Diagnostics& diagnostics) {
   factor = 1.0;
   if (si_unit.empty()) {
-    if (column.unit.empty()) return true;
+    if (column.unit.empty() || column.unit == "1" || column.unit == "-") return true;
     diagnostics.error(column.where, fmt::format("the column {} has the unit [{}]", column.name, column.unit),
                       "this column is a plain number: leave the unit out");
     return false;
@@ -95,6 +98,11 @@ bool parse_number(const std::string& text, double& value) {
   return fault == std::errc{} && rest == end && std::isfinite(value);
 }
 
+bool parse_cell(const Csv& csv, std::string text, double& value) {
+  if (csv.decimal_comma && text.find('.') == std::string::npos) std::replace(text.begin(), text.end(), ',', '.');
+  return parse_number(text, value);
+}
+
 std::vector<std::string> names(const Csv& csv) {
   std::vector<std::string> result;
   for (const Csv::Column& column : csv.columns) result.push_back(column.name);
@@ -112,6 +120,8 @@ void report_missing(const Csv& csv, const std::string& column, Diagnostics& diag
 int Csv::find(const std::string& name) const {
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].name == name) return static_cast<int>(c);
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    if (plain_name(columns[c].name) == plain_name(name)) return static_cast<int>(c);
   return -1;
 }
 
@@ -123,7 +133,12 @@ Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const 
   Csv csv{.file = shown_as.empty() ? path.string() : shown_as, .columns = {}, .rows = {}};
   std::istringstream file;
   try {
-    file.str(read_file(path, {.shown_as = csv.file, .most = std::uintmax_t{1} << 28}));
+    const std::string content = read_file(path, {.shown_as = csv.file, .most = std::uintmax_t{1} << 28});
+    if (content.starts_with("PK\x03\x04") || content.starts_with("\xD0\xCF\x11\xE0")) {
+      diagnostics.error({csv.file, 0, 0}, "this is the file of a spreadsheet program, no table as text", "save its sheet as CSV (separated by commas, semicolons or tabs)");
+      return csv;
+    }
+    file.str(plain_text(content));
   } catch (const InputError& error) {
     for (const Diagnostic& one : error.errors()) diagnostics.error(one.where, one.found, one.remedy);
     return csv;
@@ -131,10 +146,16 @@ Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const 
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
-    if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);  // byte order mark of some spreadsheets
     const std::string content = trimmed(line);
-    if (!content.empty() && content[0] != '#') add_row(csv, split(line, number), diagnostics);
+    if (content.empty() || content[0] == '#') continue;
+    if (csv.columns.empty()) csv.separator = separator_of(line);
+    add_row(csv, row_of(line, number, csv.separator), diagnostics);
   }
+  const Comma comma = comma_of(csv);
+  csv.decimal_comma = comma == Comma::decimal;
+  if (comma == Comma::unclear)
+    diagnostics.error({csv.file, csv.rows[0].line, 1}, "numbers such as 1,234 may be one point two or one thousand two hundred",
+                      "write decimal points, or separate the columns by semicolons where commas are decimal");
   if (csv.rows.empty() && !diagnostics.any())
     diagnostics.error({csv.file, 0, 0}, "the table has no rows", "give a head line and one line a row");
   return csv;
@@ -149,16 +170,20 @@ std::vector<double> numbers(const Csv& csv, const std::string& column, const std
     return {};
   }
   if (!factor_of(csv.columns[index], si_unit, factor, diagnostics)) return {};
+  std::vector<double> values = column_numbers(csv, index, diagnostics);
+  for (double& value : values) value *= factor;
+  return values;
+}
+
+std::vector<double> column_numbers(const Csv& csv, std::size_t index, Diagnostics& diagnostics) {
   std::vector<double> values;
   for (std::size_t r = 0; r < csv.rows.size(); ++r) {
     double value = 0.0;
-    if (parse_number(csv.rows[r].cells[index], value)) {
-      values.push_back(value * factor);
-    } else {
-      diagnostics.error(csv.place(r, index),
-                        fmt::format("\"{}\" in the column {} is no number", csv.rows[r].cells[index], column),
+    if (parse_cell(csv, csv.rows[r].cells[index], value))
+      values.push_back(value);
+    else
+      diagnostics.error(csv.place(r, index), fmt::format("\"{}\" in the column {} is no number", csv.rows[r].cells[index], csv.columns[index].name),
                         "give a number with a decimal point and without a unit");
-    }
   }
   return values.size() == csv.rows.size() ? values : std::vector<double>{};
 }

@@ -10,7 +10,8 @@
 
 namespace snug::input {
 
-/// A CSV file as read. Lines that are empty or begin with # are skipped; fields may stand in double quotes.
+/// A CSV file as read: UTF-8, UTF-16 or Windows' Latin text, columns between commas, semicolons or tabs as in the head, decimal
+/// commas where commas do not separate. Lines that are empty or begin with # are skipped; fields may stand in double quotes.
 struct Csv {
   struct Column {
     std::string name;  ///< "girth"
@@ -23,10 +24,12 @@ struct Csv {
     std::vector<int> columns;        ///< where each cell begins, from 1
   };
   std::string file;  ///< as shown in errors
+  char separator = ',';
+  bool decimal_comma = false;
   std::vector<Column> columns;
   std::vector<Row> rows;
 
-  /// Index of the column `name`, or -1.
+  /// Index of the column `name`, also in other capitals or with blanks for _, or -1.
   int find(const std::string& name) const;
   Location place(std::size_t row, std::size_t column) const;
 };
@@ -35,10 +38,13 @@ struct Csv {
 Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as = {});
 
 /// The numbers of a column in SI. `si_unit` empty: plain numbers, and a unit in the head is an error; otherwise the
-/// head must give a unit of that dimension in brackets: "girth [mm]". Reports what is wrong and gives an empty vector
+/// head must give a unit of that dimension: "girth [mm]", "girth (mm)", "girth in mm". Reports what is wrong and gives an empty vector
 /// when the column is missing or not all numbers.
 std::vector<double> numbers(const Csv& csv, const std::string& column, const std::string& si_unit,
                             Diagnostics& diagnostics);
+
+/// The numbers of a column as they stand, by its index.
+std::vector<double> column_numbers(const Csv& csv, std::size_t index, Diagnostics& diagnostics);
 
 /// The same for a column that may be missing (then nothing is reported).
 std::optional<std::vector<double>> optional_numbers(const Csv& csv, const std::string& column,

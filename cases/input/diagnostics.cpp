@@ -36,17 +36,20 @@ std::string shown(const std::string& text, std::size_t most) {
 
 constexpr std::size_t longest_found = 600, longest_remedy = 3000, longest_file = 1000, most_errors = 100;
 
-}  // namespace
-
-std::string to_string(const Diagnostic& diagnostic) {
+std::string told(const Diagnostic& diagnostic, const char* weight) {
   std::string text = shown(diagnostic.where.file, longest_file);
   if (diagnostic.where.line > 0)
     text += ":" + std::to_string(diagnostic.where.line) + ":" + std::to_string(diagnostic.where.column);
   if (!text.empty()) text += ": ";
-  text += "error: " + shown(diagnostic.found, longest_found);
+  text += weight + (": " + shown(diagnostic.found, longest_found));
   if (!diagnostic.remedy.empty()) text += "; " + shown(diagnostic.remedy, longest_remedy);
   return text;
 }
+
+}  // namespace
+
+std::string to_string(const Diagnostic& diagnostic) { return told(diagnostic, "error"); }
+std::string warning_text(const Diagnostic& diagnostic) { return told(diagnostic, "warning"); }
 
 void Diagnostics::error(Location where, std::string found, std::string remedy) {
   errors_.push_back({std::move(where), std::move(found), std::move(remedy)});

@@ -23,6 +23,8 @@ struct Diagnostic {
 
 /// "FILE:LINE:COLUMN: error: found; remedy"
 std::string to_string(const Diagnostic& diagnostic);
+/// The same with "warning": the input is taken as it is, and somebody should look at it.
+std::string warning_text(const Diagnostic& diagnostic);
 
 /// Collects errors while a case is read; nothing is thrown until `throw_if_any`.
 class Diagnostics {

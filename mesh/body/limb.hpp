@@ -56,6 +56,7 @@ struct Limb {
   std::unique_ptr<Outline> bone;
   double lower = 0.0, upper = 0.0;  ///< m, heights of the cut planes
   FitResidual residual = {};
+  std::vector<input::Diagnostic> remarks = {};  ///< what was taken where the input says nothing, and what looks like a slip in it
 
   /// Outward unit normal of the skin (exact where the outline knows its derivatives).
   Eigen::Vector3d skin_normal(double turn, double z) const;

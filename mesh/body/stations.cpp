@@ -9,6 +9,7 @@
 
 #include "cases/input/csv.hpp"
 #include "cases/input/suggestion.hpp"
+#include "cases/input/units.hpp"
 #include "mesh/body/elliptic_outline.hpp"
 
 namespace snug::mesh {
@@ -23,19 +24,39 @@ struct ColumnSpec {
   std::string unit;                 // SI; empty for a ratio
   std::optional<double> otherwise;  // value of a column that is left out
   bool positive = false;
+  std::vector<std::string> also = {};  // names that people give it
 };
 
+/// The bone where nothing is said of it: this share of the skin's girth. Of the limbs that ship the thigh's is a sixth, the calf's a third
+/// to a half (two bones); a bone twice as thick changes pressures by what the tissue between is stiffer.
+constexpr double usual_bone = 0.25;
+
 const std::vector<ColumnSpec>& column_specs() {
-  static const std::vector<ColumnSpec> specs = {{"height", "m", {}, false},
-                                                {"girth", "m", {}, true},
-                                                {"width_to_depth", "", 1.0, true},
-                                                {"centre_x", "m", 0.0, false},
-                                                {"centre_y", "m", 0.0, false},
-                                                {"bone_girth", "m", {}, true},
-                                                {"bone_width_to_depth", "", 1.0, true},
-                                                {"bone_x", "m", 0.0, false},
-                                                {"bone_y", "m", 0.0, false}};
+  static const std::vector<ColumnSpec> specs = {{"height", "m", {}, false, {"h", "z", "level", "position", "distance", "height_above_floor", "axial_position"}},
+                                                {"girth", "m", {}, true, {"circumference", "circ", "perimeter", "skin_girth", "girths", "circumferences"}},
+                                                {"width_to_depth", "", 1.0, true, {"ratio", "aspect_ratio"}},
+                                                {"centre_x", "m", 0.0, false, {"center_x"}},
+                                                {"centre_y", "m", 0.0, false, {"center_y"}},
+                                                {"bone_girth", "m", {}, true, {"bone_circumference", "bone_perimeter"}},
+                                                {"bone_width_to_depth", "", 1.0, true, {"bone_ratio", "bone_aspect_ratio"}},
+                                                {"bone_x", "m", 0.0, false, {}},
+                                                {"bone_y", "m", 0.0, false, {}}};
   return specs;
+}
+
+/// Columns under the names that are asked for.
+void rename(Csv& csv) {
+  for (const ColumnSpec& spec : column_specs()) {
+    if (const int known = csv.find(spec.name); known >= 0) {
+      csv.columns[known].name = spec.name;
+      continue;
+    }
+    for (const std::string& name : spec.also)
+      if (const int found = csv.find(name); found >= 0) {
+        csv.columns[found].name = spec.name;
+        break;
+      }
+  }
 }
 
 void check_known(const Csv& csv, Diagnostics& diagnostics) {
@@ -61,14 +82,16 @@ std::vector<double> read_column(const Csv& csv, const ColumnSpec& spec, Diagnost
   return values;
 }
 
+/// Rows may go upwards or downwards.
 void check_heights(const Csv& csv, const std::vector<double>& height, Diagnostics& diagnostics) {
   if (csv.rows.size() == 1)
     diagnostics.error(csv.place(0, 0), "there is only one station", "give at least two, one row a section");
+  const bool downwards = height.size() > 1 && height.back() < height.front();
   for (std::size_t r = 1; r < height.size(); ++r)
-    if (!(height[r] > height[r - 1]))
+    if (!(downwards ? height[r] < height[r - 1] : height[r] > height[r - 1]))
       diagnostics.error(csv.place(r, csv.find("height")),
-                        fmt::format("height {:g} m is not above the row before ({:g} m)", height[r], height[r - 1]),
-                        "list the stations from below upwards, each height once");
+                        fmt::format("height {:g} m is not {} the row before ({:g} m)", height[r], downwards ? "below" : "above", height[r - 1]),
+                        "list the stations in the order of their heights, each height once");
 }
 
 using Columns = std::map<std::string, std::vector<double>>;
@@ -82,20 +105,96 @@ std::unique_ptr<Outline> outline_of(const Columns& column, const std::string& gi
   return std::make_unique<EllipticOutline>(sections);
 }
 
+/// A girth between those of the rows around it, or beside the next one at an end.
+double expected_girth(const std::vector<double>& height, const std::vector<double>& girth, std::size_t r) {
+  if (r == 0) return girth[1];
+  if (r + 1 == girth.size()) return girth[r - 1];
+  const double share = (height[r] - height[r - 1]) / (height[r + 1] - height[r - 1]);
+  return girth[r - 1] + share * (girth[r + 1] - girth[r - 1]);
+}
+
+constexpr double odd_jump = 1.8, impossible_jump = 4.0;  // of a girth over what its neighbours let expect
+
+/// One girth that stands out of its row is a slip of the pen: ten times too large, two digits changed.
+void check_girths(const Csv& csv, const Columns& column, const std::string& name, Diagnostics& diagnostics, std::vector<input::Diagnostic>& remarks) {
+  const std::vector<double>&height = column.at("height"), &girth = column.at(name);
+  std::size_t worst = 0;
+  double jump = 1.0;
+  for (std::size_t r = 0; r < girth.size() && girth.size() > 2; ++r) {
+    const double over = girth[r] / expected_girth(height, girth, r), here = std::max(over, 1.0 / over);
+    if (here > jump) jump = here, worst = r;  // neighbours of a wrong row stand out less than it
+  }
+  if (!(jump > odd_jump)) return;
+  const double over = girth[worst] / expected_girth(height, girth, worst);
+  const auto where = csv.place(worst, csv.find(name));
+  const std::string found = fmt::format("{} is {:.4g} mm between rows that let {:.4g} mm expect", name, 1e3 * girth[worst], 1e3 * girth[worst] / over);
+  const double tens = std::round(std::log10(over));
+  const std::string remedy = tens != 0.0 ? fmt::format("a decimal point too far {}: {:.6g} mm?", tens > 0 ? "right" : "left", 1e3 * girth[worst] / std::pow(10.0, tens))
+                                         : "look at the digits of this row";
+  if (jump > impossible_jump) diagnostics.error(where, found, remedy);
+  else remarks.push_back({where, found, remedy});
+}
+
+/// Lengths that no part of a body has: the unit of the head is likely another.
+void check_size(const Csv& csv, const Columns& column, const std::string& name, double low, double high, Diagnostics& diagnostics,
+                std::vector<input::Diagnostic>& remarks) {
+  const std::vector<double>& values = column.at(name);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double span = name == "height" ? *most - *least : *most;
+  if (span >= low && span <= high) return;
+  const Csv::Column& head = csv.columns[csv.find(name)];
+  double now = 1.0;
+  input::unit_factor(head.unit, "m", now);
+  std::string remedy = "look at the unit in the head of the column";
+  for (const auto& [unit, size] : {std::pair{"mm", 1e-3}, std::pair{"cm", 1e-2}, std::pair{"inch", 0.0254}, std::pair{"m", 1.0}}) {
+    const double then = span / now * size;
+    if (then < 3.0 * low || then > 0.8 * high || size == now) continue;
+    remedy = fmt::format("is the unit [{}] instead of [{}]? it would be {:.4g} mm then", unit, head.unit, 1e3 * then);
+    break;
+  }
+  const std::string found = name == "height" ? fmt::format("the heights reach over {:.4g} m", span) : fmt::format("{} is up to {:.4g} m", name, span);
+  const auto row = static_cast<std::size_t>((name == "height" ? std::max_element(values.begin(), values.end()) : most) - values.begin());
+  const auto where = csv.place(row, csv.find(name));
+  if (span > 4.0 * high || span < 0.1 * low) diagnostics.error(where, found, remedy);
+  else remarks.push_back({where, found, remedy});
+}
+
+/// The table the other way round, where it goes downwards.
+void turn_upwards(Columns& column) {
+  if (column.at("height").front() < column.at("height").back()) return;
+  for (auto& [name, values] : column) std::reverse(values.begin(), values.end());
+}
+
 }  // namespace
 
 Limb limb_from_stations(const input::BodySpec& spec) {
   Diagnostics diagnostics;
-  const Csv csv = input::read_csv(spec.stations, diagnostics);
+  Csv csv = input::read_csv(spec.stations, diagnostics);
   diagnostics.throw_if_any();
+  rename(csv);
   check_known(csv, diagnostics);
   Columns column;
-  for (const auto& column_spec : column_specs()) column[column_spec.name] = read_column(csv, column_spec, diagnostics);
+  std::vector<input::Diagnostic> remarks;
+  const bool bone = csv.find("bone_girth") >= 0;
+  for (const auto& column_spec : column_specs())
+    if (bone || column_spec.name != "bone_girth") column[column_spec.name] = read_column(csv, column_spec, diagnostics);
   check_heights(csv, column.at("height"), diagnostics);
   diagnostics.throw_if_any();
+  check_size(csv, column, "girth", 0.03, 2.5, diagnostics, remarks);
+  check_size(csv, column, "height", 0.005, 2.5, diagnostics, remarks);
+  check_girths(csv, column, "girth", diagnostics, remarks);
+  if (bone) check_girths(csv, column, "bone_girth", diagnostics, remarks);
+  diagnostics.throw_if_any();
+  turn_upwards(column);
+  if (!bone) {
+    for (const double girth : column.at("girth")) column["bone_girth"].push_back(usual_bone * girth);
+    remarks.push_back({{csv.file, csv.columns[0].where.line, 1}, fmt::format("there is no column bone_girth: {:.0f} % of the girth is taken for the bone", 100.0 * usual_bone),
+                       "add the column where the bone is known (a thigh has about 17 %, an upper arm 25 %, a calf or forearm with two bones 33 %)"});
+  }
   Limb limb{outline_of(column, "girth", "width_to_depth", "centre_x", "centre_y"),
             outline_of(column, "bone_girth", "bone_width_to_depth", "bone_x", "bone_y"), column.at("height").front(),
             column.at("height").back()};
+  limb.remarks = std::move(remarks);
   check_bone_inside(limb, {csv.file});
   return limb;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -118,11 +119,17 @@ class VertexFaceReader {
   std::vector<Location> places_;  // of each triangle
 };
 
-/// Text STL: facets of three `vertex` lines between `outer loop` and `endloop`.
+std::string small_letters(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return small;
+}
+
+/// Text STL: facets of three `vertex` lines between `outer loop` and `endloop`, in small letters or capitals.
 class StlTextReader {
  public:
   void read(const Line& line) {
-    const std::string_view key = line.words[0].text;
+    const std::string key = small_letters(line.words[0].text);
     if (key == "vertex") {
       surface_.vertices.push_back(point_at(line));
     } else if (key == "endloop") {
@@ -143,26 +150,42 @@ TriangleSurface read_text(const std::string& content, const std::string& file) {
   Reader reader;
   std::istringstream stream(content);
   int number = 0;
+  std::string joined;  // of lines that go on behind a backslash
   for (std::string text; std::getline(stream, text);) {
-    const Line line{file, ++number, words_of(text)};
+    ++number;
+    const auto last = text.find_last_not_of(" \t\r");
+    if (last != std::string::npos && text[last] == '\\') {
+      joined += text.substr(0, last) + ' ';
+      continue;
+    }
+    joined += text;
+    const Line line{file, number, words_of(joined)};
     if (!line.words.empty()) reader.read(line);
+    joined.clear();
   }
   return reader.finish();
 }
 
 constexpr std::size_t stl_head = 84, stl_facet = 50;  // bytes
 
-/// A binary STL announces its number of facets after 80 bytes, and its size tells whether that is what it is.
+/// A binary STL announces its number of facets after 80 bytes.
+std::size_t announced_facets(const std::string& content) {
+  std::uint32_t facets = 0;
+  if (content.size() >= stl_head) std::memcpy(&facets, content.data() + 80, sizeof facets);
+  return facets;
+}
+
+/// Its size tells whether that is what it is; some programs put bytes behind the last facet.
 bool is_binary_stl(const std::string& content) {
   if (content.size() < stl_head) return false;
-  std::uint32_t facets = 0;
-  std::memcpy(&facets, content.data() + 80, sizeof facets);
-  return content.size() == stl_head + stl_facet * facets;
+  const std::size_t size = stl_head + stl_facet * announced_facets(content);
+  return content.size() == size || (content.size() > size && size > stl_head && content.find('\0') != std::string::npos);
 }
 
 TriangleSurface read_binary_stl(const std::string& content, const std::string& file) {
   TriangleSurface surface;
-  for (std::size_t at = stl_head; at < content.size(); at += stl_facet) {
+  const std::size_t end = stl_head + stl_facet * announced_facets(content);
+  for (std::size_t at = stl_head; at < end; at += stl_facet) {
     std::array<float, 12> values;  // normal, then three vertices
     std::memcpy(values.data(), content.data() + at, sizeof values);
     for (int n = 3; n < 12; n += 3) {
@@ -178,15 +201,23 @@ TriangleSurface read_binary_stl(const std::string& content, const std::string& f
   return surface;
 }
 
+std::string_view trimmed_start(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first == text.npos ? std::string_view() : text.substr(first);
+}
+
 bool is_text_stl(const std::string& content) {
-  return content.starts_with("solid") && content.find("facet") != std::string::npos;
+  const std::string head = small_letters(content.substr(0, std::min<std::size_t>(content.size(), 4096)));
+  return trimmed_start(head).starts_with("solid") && head.find("facet") != std::string::npos;
 }
 
 TriangleSurface read_any(const std::string& content, const std::string& file) {
   if (is_binary_stl(content)) return read_binary_stl(content, file);
   if (is_text_stl(content)) return read_text<StlTextReader>(content, file);
   if (content.find('\0') != std::string::npos)
-    throw InputError({file}, "the file is neither text nor a complete binary STL",
+    throw InputError({file}, content.size() > stl_head ? fmt::format("the file is neither text nor a complete binary STL: it announces {} facets and has room for {}",
+                                                                     announced_facets(content), (content.size() - stl_head) / stl_facet)
+                                                       : "the file is neither text nor a complete binary STL",
                      "write it again as OBJ, STL or v/f text");
   return read_text<VertexFaceReader>(content, file);
 }
@@ -195,7 +226,7 @@ TriangleSurface read_any(const std::string& content, const std::string& file) {
 
 TriangleSurface read_surface(const std::filesystem::path& path) {
   const std::string file = path.string();
-  TriangleSurface surface = weld(read_any(input::read_file(path), file));
+  TriangleSurface surface = seams_closed(weld(read_any(input::read_file(path), file)));
   if (surface.triangles.empty())
     throw InputError({file}, "the file holds no triangles", "give a surface as OBJ, STL or v/f text");
   return surface;

@@ -70,6 +70,26 @@ TriangleSurface weld(const TriangleSurface& surface, double tolerance) {
   return welded;
 }
 
+namespace {
+
+long open_edges(const TriangleSurface& surface) {
+  std::map<std::array<int, 2>, int> uses;
+  for (const auto& t : surface.triangles)
+    for (int n = 0; n < 3; ++n) ++uses[{std::min(t[n], t[(n + 1) % 3]), std::max(t[n], t[(n + 1) % 3])}];
+  return std::count_if(uses.begin(), uses.end(), [](const auto& entry) { return entry.second != 2; });
+}
+
+}  // namespace
+
+TriangleSurface seams_closed(TriangleSurface surface) {
+  constexpr double last_digit = 1e-5;
+  const long open = open_edges(surface);
+  if (open == 0) return surface;
+  TriangleSurface closer = weld(surface, last_digit * diagonal(surface.vertices));
+  const bool better = closer.triangles.size() == surface.triangles.size() && open_edges(closer) < open;
+  return better ? std::move(closer) : std::move(surface);
+}
+
 void check_closed(const TriangleSurface& surface, const input::Location& where, std::optional<HeightRange> range) {
   std::map<std::array<int, 2>, int> uses;
   for (const auto& t : surface.triangles)

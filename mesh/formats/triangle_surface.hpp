@@ -27,6 +27,10 @@ TriangleSurface read_surface(const std::filesystem::path& path);
 /// a corner that way, and vertices that no triangle uses.
 TriangleSurface weld(const TriangleSurface& surface, double tolerance = 0.0);
 
+/// Programs write coordinates with six or seven digits, so that the two sides of a seam part by some of the last one. Where welding
+/// at 1e-5 of the diagonal closes open edges and loses no triangle, the surface is that; else as given.
+TriangleSurface seams_closed(TriangleSurface surface);
+
 /// Range of heights that a check looks at, in the units of the surface.
 struct HeightRange {
   double lower = 0.0, upper = 0.0;

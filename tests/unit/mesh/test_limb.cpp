@@ -139,11 +139,56 @@ TEST(Stations, WrongTablesAreRefusedWithFileLineAndRemedy) {
   expect_error(head + "0, 300, 90\n", {".csv:2:1", "only one station", "at least two"});
   expect_error(head + "0, 300, 90\n100, 310, 90\n100, 320, 90\n", {".csv:4:1", "not above the row before"});
   expect_error(head + "0, 300, 90\n100, 80, 90\n", {"bone is outside the skin at height", "deg"});
-  expect_error("height [mm], girth [mm]\n0, 300\n100, 300\n", {".csv:1:1", "bone_girth is missing"});
+  expect_error("height [mm], bone_girth [mm]\n0, 300\n100, 300\n", {".csv:1:1", "girth is missing"});
   expect_error("height [mm], girht [mm], bone_girth [mm]\n0, 300, 90\n1, 300, 90\n", {"girht", "not known", "girth"});
   expect_error("height, girth [mm], bone_girth [mm]\n0, 300, 90\n1, 300, 90\n", {".csv:1:1", "no unit"});
   // all errors of the table come together
   expect_error(head + "0, -1, 90\n100, 300, x\n", {"girth is -0.001", "\"x\""});
+}
+
+std::string remarks_of(const Limb& limb) {
+  std::string text;
+  for (const input::Diagnostic& remark : limb.remarks) text += input::warning_text(remark) + "\n";
+  return text;
+}
+
+TEST(Stations, TablesOfSpreadsheetsAreReadAsTheyCome) {
+  // Semicolons with decimal commas, tabs in UTF-16, names and units of one's own, rows from above, empty cells at the end: one limb.
+  const auto utf16 = [](const std::string& text) {
+    std::string bytes = "\xFE\xFF";
+    for (const char c : text) bytes += std::string(1, '\0') + c;
+    return bytes;
+  };
+  for (const std::string& text :
+       {std::string("height [cm];girth [cm];bone_girth [cm]\n0;31,25;9\n12,5;34;9\n"), utf16("Height (mm)\tGirth (mm)\tBone girth (mm)\r\n0\t312.5\t90\r\n125\t340\t90\r\n"),
+        std::string("\xEF\xBB\xBFLevel in cm,CIRCUMFERENCE / mm,bone circumference (mm),,\r0,312.5,90,,\r12.5,340,90,,\r,,,,\r"),
+        std::string("height [mm], girth [mm], bone_girth [mm]\n125, 340, 90\n0, 312.5, 90\n")}) {
+    const Limb limb = make_limb(StationsFile(text).spec());
+    EXPECT_DOUBLE_EQ(limb.upper, 0.125) << text;
+    EXPECT_NEAR(limb.girth(0.0), 0.3125, 1e-13) << text;
+    EXPECT_NEAR(limb.girth(0.125), 0.34, 1e-13) << text;
+    EXPECT_EQ(remarks_of(limb), "");
+  }
+  expect_error("height [mm]\tgirth [mm]\tbone_girth [mm]\n0\t1,234\t90\n100\t1,234\t90\n", {".csv:2:1", "1,234 may be"});
+}
+
+TEST(Stations, ABoneThatIsNotInTheTableIsAQuarterOfTheGirthAndSaidSo) {
+  const Limb limb = make_limb(StationsFile("height [mm], girth [mm]\n0, 300\n100, 340\n").spec());
+  EXPECT_NE(remarks_of(limb).find("25 % of the girth is taken for the bone"), std::string::npos);
+  const Eigen::Vector3d bone = limb.bone->at(0.0, 0.1) - limb.bone->at(0.5, 0.1);
+  EXPECT_NEAR(bone.norm(), 0.085 / pi, 1e-12);
+}
+
+TEST(Stations, SlipsOfUnitsAndDigitsAreToldWithRowAndColumn) {
+  const std::string head = "height [mm], girth [mm], bone_girth [mm]\n";
+  expect_error(head + "0, 400, 90\n50, 410, 90\n100, 4220, 90\n150, 430, 90\n", {".csv:4:6: error: girth is 4220 mm", "420 mm expect", "422 mm?"});
+  expect_error(head + "0, 40, 9\n50, 410, 90\n100, 420, 90\n", {".csv:2:4: error: girth is 40 mm", "400 mm?"});
+  expect_error("height [mm], girth [m], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:5: error: girth is up to 410 m", "is the unit [mm] instead of [m]?"});
+  expect_error("height [m], girth [mm], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:1: error: the heights reach over 50 m"});
+  const Limb odd = make_limb(StationsFile(head + "0, 400, 90\n50, 410, 90\n100, 820, 90\n150, 430, 90\n").spec());
+  EXPECT_NE(remarks_of(odd).find(".csv:4:6: warning: girth is 820 mm between rows"), std::string::npos) << remarks_of(odd);
+  const Limb torso = make_limb(StationsFile(head + "0, 950, 300\n150, 700, 300\n300, 1000, 300\n400, 600, 300\n").spec());
+  EXPECT_EQ(remarks_of(torso), "");  // waists and hips are no slips
 }
 
 TEST(Stations, AMissingFileAndAnUnknownKindAreRefused) {

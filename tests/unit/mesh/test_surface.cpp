@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -76,6 +78,26 @@ TEST(Surface, TheSameBodyIsReadFromEveryFormat) {
   expect_tetrahedron(tetrahedron_as_binary_stl());
 }
 
+TEST(Surface, FilesOfOldAndCarelessProgramsAreRead) {
+  // Text STL in capitals, lines that go on behind a backslash, bytes behind the last facet of a binary file.
+  std::string capitals = tetrahedron_as_text_stl();
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (std::size_t at = 0; (at = capitals.find('\n', at)) != std::string::npos; at += 2) capitals.insert(at, "\r");
+  expect_tetrahedron(capitals);
+  expect_tetrahedron(vertices + "f 1 \\\n3 2\nf 1 2 4\nf 2 3 \\\r\n 4\nf 1 4 3\n");
+  expect_tetrahedron(tetrahedron_as_binary_stl() + std::string("made by a program\0", 18));
+}
+
+TEST(Surface, ASeamThatPartsInTheLastDigitIsClosed) {
+  // Two sides of an edge 3e-6 apart on a body of 1.7: six digits. A gap of 1e-3 stays one.
+  const std::string apart = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1.000003 0 0\nf 1 3 2\nf 1 5 4\nf 5 3 4\nf 1 4 3\n";
+  expect_tetrahedron(apart);
+  std::string wide = apart;
+  wide.replace(wide.find("1.000003"), 8, "1.001");
+  const SurfaceFile file(wide);
+  EXPECT_THROW(check_closed(read_surface(file.path), {}), input::InputError);
+}
+
 TEST(Surface, PolygonsAreFannedAndDuplicatesWelded) {
   const SurfaceFile file(
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nv 0.5 0.5 4.53292e-005\nf 1 2 3 4\nf 5 2 6\nf 1 5 2\n");
@@ -117,7 +139,7 @@ TEST(Surface, WrongRecordsAreRefusedWithLineAndColumn) {
   refused(vertices + "f 0 1 2\n", {":5:3: error"});
   refused("<html>\n", {":1:1: error", "no record"});
   refused("", {"no triangles"});
-  refused(tetrahedron_as_binary_stl() + "one byte too many", {"neither text nor a complete binary STL"});
+  refused(tetrahedron_as_binary_stl().substr(0, 240), {"neither text nor a complete binary STL: it announces 4 facets and has room for 3"});
   EXPECT_THROW(read_surface("/nowhere/body.obj"), input::InputError);
   refused("solid a\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n", {":6:1: error", "three vertices"});
 }
