@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 #include "postproc/field_cells.hpp"
@@ -280,6 +281,25 @@ ColumnComparison compare_column(const Matched& matched, const std::string& label
   return column;
 }
 
+/// All values a power of ten (from 100 on) too large or too small: another unit. The factor of the extremes, where all agree on it.
+std::string unit_hint(const Comparison& comparison) {
+  std::map<std::string, double> factor;  // by unit
+  for (const ColumnComparison& column : comparison.columns) {
+    const auto largest = [](const NodePlace& low, const NodePlace& high) { return std::max(std::abs(low.value), std::abs(high.value)); };
+    const double result = largest(column.result_minimum, column.result_maximum), reference = largest(column.reference_minimum, column.reference_maximum);
+    if (column.unit.empty() || !(result > 0.0) || !(reference > 0.0) || reference < 1e-3 * column.scale) continue;
+    const double power = std::log10(reference / result);
+    if (std::abs(power) < 1.9 || std::abs(power - std::round(power)) > 0.1) return {};
+    const auto [it, fresh] = factor.emplace(column.unit, std::round(power));
+    if (!fresh && it->second != std::round(power)) return {};
+  }
+  if (factor.empty()) return {};
+  const auto& [unit, power] = *factor.begin();
+  const char* option = unit == "Pa" ? "--stress-unit" : "--length-unit";
+  const char* example = unit == "Pa" ? (power == -6.0 ? "MPa" : power == -3.0 ? "kPa" : "Pa") : power == 3.0 ? "mm" : power == 2.0 ? "cm" : "m";
+  return fmt::format("the values of the reference are {:g} times those of the result: another unit? ({} {})", std::pow(10.0, power), option, example);
+}
+
 }  // namespace
 
 bool Comparison::within() const {
@@ -297,6 +317,8 @@ Comparison compare(const NodalField& given_result, const NodalField& given_refer
   comparison.result = result.name;
   comparison.reference = reference.name;
   comparison.matching = matched.how;
+  for (const auto& [who, field] : {std::pair{"result", &result}, std::pair{"reference", &reference}})
+    for (const std::string& note : field->notes) comparison.notes.push_back(fmt::format("{}: {}", who, note));
   comparison.compared = static_cast<int>(matched.nodes.size());
   comparison.missing = matched.missing;
   comparison.largest_gap = matched.largest_gap;
@@ -311,6 +333,7 @@ Comparison compare(const NodalField& given_result, const NodalField& given_refer
     difference.columns.push_back({label + " reference", matched.reference.find(label)->values});
     difference.columns.push_back({label + " difference", std::move(values)});
   }
+  if (const std::string hint = unit_hint(comparison); !hint.empty()) comparison.notes.push_back(hint);
   return comparison;
 }
 

@@ -55,6 +55,7 @@ struct ColumnComparison {
 
 struct Comparison {
   std::string result, reference;  ///< names
+  std::vector<std::string> notes; ///< what is to be known of either side
   std::string matching;           ///< how nodes were matched, in words
   int compared = 0;               ///< nodes
   int missing = 0;                ///< nodes to be compared that have no counterpart

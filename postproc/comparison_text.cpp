@@ -66,6 +66,7 @@ std::string comparison_text(const Comparison& comparison, Detail detail) {
                                  comparison.compared, comparison.matching);
   if (comparison.largest_gap > 0.0) text += fmt::format(", at most {:.2g} mm away", comparison.largest_gap * 1e3);
   if (comparison.missing > 0) text += fmt::format("; {} nodes have no counterpart", comparison.missing);
+  for (const std::string& note : comparison.notes) text += fmt::format("\nnote       {}", note);
   text += '\n' + summary_table(comparison) + extremes_table(comparison);
   int kept_back = 0;
   for (const ColumnComparison& column : comparison.columns)

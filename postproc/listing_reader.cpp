@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "cases/input/files.hpp"
+#include "postproc/column_table.hpp"
 #include "postproc/listing_numbers.hpp"
 
 namespace snug::postproc {
@@ -84,6 +85,7 @@ class Parser {
     if ((starts(line, "MINIMUM") || starts(line, "MAXIMUM")) && line.find("VALUES") != line.npos)
       return begin_extreme(line);
     mode_ = Mode::between;
+    if (starts(line, "displacements (vx,vy,vz)")) return begin_calculix(line);
     if (starts(line, "PRINT ") || starts(line, "LIST ALL")) begin_listing(line);
     const auto post = line.find("POST1 ");
     const auto listing = line.find(" LISTING");
@@ -92,6 +94,18 @@ class Parser {
     substep_ = number_after(line, "SUBSTEP=", substep_);
     if (starts(line, "ELEMENT=")) element_ = number_after(line, "ELEMENT=", 0);
     if (line.find("NODAL RESULTS ARE") != line.npos) take_place(line);
+    take_frame(line);
+  }
+
+  /// RSYS and DSYS: "... RESULTS ARE IN COORDINATE SYSTEM  1", "X,Y,Z VALUES ARE IN GLOBAL COORDINATES", "DSYS=  1".
+  void take_frame(std::string_view line) {
+    if (const int system = number_after(line, "DSYS=", 0); system != 0) frame_ = fmt::format("COORDINATE SYSTEM {}", system);
+    const auto in = line.find(" ARE IN ");
+    if (in == line.npos || (line.find("RESULTS") == line.npos && line.find("VALUES") == line.npos)) return;
+    const std::string_view named = trimmed(line.substr(in + 8));
+    const bool global = named.find("GLOBAL") != named.npos || (starts(named, "COORDINATE SYSTEM") && number_after(named, "COORDINATE SYSTEM", 0) == 0);
+    if (named.find("COORDINATE") == named.npos) return;
+    frame_ = global ? "" : fmt::format("{}", fmt::join(words_of(named), " "));
   }
 
   /// A new command: what earlier ones said about material, element and surface is over.
@@ -99,8 +113,21 @@ class Parser {
     close();
     kind_ = starts(line, "LIST ALL") ? "NODES" : "";
     element_ = material_ = 0;
+    frame_.clear();
     surface_ = ShellSurface::none;
     both_ = false;
+  }
+
+  /// "displacements (vx,vy,vz) for set ALL and time  0.1000000E+01": several sets at one time are one table.
+  void begin_calculix(std::string_view line) {
+    const auto place = line.find("and time");
+    const std::string_view text = place == line.npos ? std::string_view() : trimmed(line.substr(place + 8));
+    const double time = scan_number(text).value;
+    if (load_step_ == 0 || time != time_) ++load_step_;
+    time_ = time;
+    kind_ = "NODAL DEGREE OF FREEDOM";
+    frame_.clear();
+    begin_rows({"UX", "UY", "UZ"});
   }
 
   void take_place(std::string_view line) {
@@ -127,7 +154,7 @@ class Parser {
     if (!tables_.empty()) {
       const ListingTable& open = tables_.back();
       if (!open.closed && open.kind == kind_ && open.labels == labels && open.load_step == load_step_ &&
-          open.substep == substep_)
+          open.substep == substep_ && open.frame == frame_)
         return;
     }
     close();
@@ -135,6 +162,7 @@ class Parser {
     table.kind = kind_;
     table.labels = labels;
     table.load_step = load_step_;
+    table.frame = frame_;
     table.substep = substep_;
     seen_.clear();
   }
@@ -295,7 +323,8 @@ class Parser {
   Mode mode_ = Mode::between;
   std::vector<ListingTable> tables_;
   // What the heads said last.
-  std::string kind_;
+  std::string kind_, frame_;
+  double time_ = 0.0;  ///< of CalculiX
   int load_step_ = 0, substep_ = 0, element_ = 0, material_ = 0;
   ShellSurface surface_ = ShellSurface::none;
   bool both_ = false;                              ///< every node is printed twice: top, then bottom
@@ -312,10 +341,12 @@ std::vector<ListingTable> parse_listing(std::string_view text, const std::string
 std::vector<ListingTable> read_listing(const std::filesystem::path& file) {
   const std::string text = input::read_file(file);
   input::Diagnostics diagnostics;
-  std::vector<ListingTable> tables = parse_listing(text, file.string(), diagnostics);
+  std::vector<ListingTable> tables;
+  if (auto table = column_table(text, file, diagnostics)) tables.push_back(std::move(*table));
+  else tables = parse_listing(text, file.string(), diagnostics);
   if (tables.empty() && !diagnostics.any())
     diagnostics.error({file.string(), 0, 0}, "there is no nodal table in it",
-                      "give a listing with a line such as NODE UX UY UZ USUM over its rows (PRNSOL, PRESOL or NLIST)");
+                      "give a listing with a line such as NODE UX UY UZ USUM over its rows (PRNSOL, PRESOL or NLIST), a table with a column node, or a .dat file of CalculiX (*NODE PRINT)");
   diagnostics.throw_if_any();
   return tables;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 #include "postproc/field_cells.hpp"
@@ -47,7 +48,9 @@ struct Column {
 class Gather {
  public:
   Gather(const std::vector<ListingTable>& tables, const FieldOptions& options) : options_(options) {
-    for (const ListingTable& table : tables) last_step_ = std::max(last_step_, step_of(table));
+    for (const ListingTable& table : tables)
+      if (!options.load_step || table.load_step == *options.load_step) last_step_ = std::max(last_step_, step_of(table));
+    note_steps(tables);
     for (const ListingTable& table : tables) has_values_ |= counts(table) && !only_places(table);
     for (const ListingTable& table : tables)
       if (counts(table) && !(has_values_ && only_places(table)))
@@ -72,6 +75,7 @@ class Gather {
         if (column.counts[n] > 0) to.values[n] = column.sums[n] / column.counts[n] * unit(label);
     }
     move_places(field);
+    field.notes = std::move(notes_);
     return field;
   }
 
@@ -93,6 +97,29 @@ class Gather {
                                          : options_.length_unit;
   }
 
+  void note_steps(const std::vector<ListingTable>& tables) {
+    std::set<std::pair<int, int>> steps;
+    for (const ListingTable& table : tables)
+      if (table.load_step > 0) steps.insert(step_of(table));
+    const auto text = [](const std::pair<int, int>& step) { return fmt::format("load step {} substep {}", step.first, step.second); };
+    if (options_.load_step && !steps.empty() && last_step_.first != *options_.load_step)
+      throw input::InputError({"--load-step", 0, 0}, fmt::format("there is no load step {}", *options_.load_step), "the last one is " + text(*steps.rbegin()));
+    if (steps.size() > 1)
+      notes_.push_back(fmt::format("of {} load steps and substeps, {} is taken{}", steps.size(), text(last_step_), options_.load_step ? "" : "; --load-step takes another"));
+  }
+
+  /// Components of a cylindrical frame are no Cartesian ones; sums, principal and equivalent values are the same in all frames.
+  static bool is_component(const std::string& label) {
+    static const std::set<std::string> components = {"X", "Y", "Z", "UX", "UY", "UZ", "SX", "SY", "SZ", "SXY", "SYZ", "SXZ", "ROTX", "ROTY", "ROTZ"};
+    return components.contains(label);
+  }
+  bool left_out(const ListingTable& table, const std::string& label) {
+    if (table.frame.empty() || !is_component(label)) return false;
+    const std::string note = fmt::format("its components are in {} and not compared: print them with RSYS,0 (places with DSYS,0)", table.frame);
+    if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+    return true;
+  }
+
   void add(const ListingTable& table) {
     bool top = false, bottom = false;
     for (const ListingRow& row : table.rows) {
@@ -102,6 +129,7 @@ class Gather {
     const bool name_surfaces = top && bottom && !options_.surface;
     for (std::size_t c = 0; c < table.labels.size(); ++c) {
       if (table.kind == "NODES" && !is_coordinate(table.labels[c])) continue;  // rotations of nodal frames
+      if (left_out(table, table.labels[c])) continue;
       for (const ShellSurface surface :
            {ShellSurface::none, ShellSurface::top, ShellSurface::middle, ShellSurface::bottom})
         add_column(table, c, surface, table.labels[c] + (name_surfaces ? surface_name(surface) : ""));
@@ -116,7 +144,8 @@ class Gather {
       if (!column) column = &column_of(label);
       const auto n = index_.find(row.node);
       if (n == index_.end()) continue;
-      column->sums[n->second] += table.value(r, c);
+      const double own_unit = table.factors.empty() || table.factors[c] == 0.0 ? 1.0 : table.factors[c] / unit(table.labels[c]);
+      column->sums[n->second] += table.value(r, c) * own_unit;
       ++column->counts[n->second];
     }
   }
@@ -142,6 +171,7 @@ class Gather {
 
   const FieldOptions& options_;
   std::pair<int, int> last_step_ = {0, 0};
+  std::vector<std::string> notes_;
   bool has_values_ = false;
   std::vector<int> nodes_;
   std::unordered_map<int, std::size_t> index_;
@@ -158,6 +188,8 @@ NodalField read_listings(const fs::path& source, const std::vector<fs::path>& fi
   for (const fs::path& file : files) append(tables, read_listing(file));
   if (!options.nodes.empty()) append(tables, read_listing(options.nodes));
   NodalField field = field_of(tables, options);
+  if (field.columns.empty() && field.places.empty() && !field.notes.empty())
+    throw input::InputError({source.string(), 0, 0}, "nothing in it can be compared: " + field.notes.back(), "give a listing in the global Cartesian frame");
   if (field.nodes.empty())
     throw input::InputError({source.string(), 0, 0}, "its tables have no rows for the surface asked for",
                             "leave the surface out, or name one that the listing has");

@@ -33,6 +33,7 @@ struct NodalField {
   std::vector<int> nodes;               ///< numbers, ascending
   std::vector<Eigen::Vector3d> places;  ///< m, undeformed, one a node; empty: not known
   std::vector<NodalColumn> columns;
+  std::vector<std::string> notes;           ///< what its reader should know: which of several load steps it is, what is left out
   std::shared_ptr<const FieldCells> cells;  ///< null: values are known at the nodes only
 
   const NodalColumn* find(const std::string& label) const;
@@ -43,12 +44,13 @@ struct FieldOptions {
   double length_unit = 1.0;             ///< m, of coordinates and displacements
   double stress_unit = 1.0;             ///< Pa
   std::optional<ShellSurface> surface;  ///< take this surface of shells only
+  std::optional<int> load_step;         ///< of several in a listing; empty: the last one
   std::filesystem::path nodes;          ///< listing of the coordinates (NLIST); empty: none but those in the file
 };
 
 /// Reads a directory of results (body_0000.vtu, or else displacement.lis, stress.lis and nodes.lis), a VTU file with
-/// `displacement` or `cauchy_stress` at its points, or a listing. Of several load steps in a listing the last counts;
-/// values of a node in several elements or materials are averaged. Throws input::InputError.
+/// `displacement` or `cauchy_stress` at its points, or a listing. Of several load steps in a listing the last counts,
+/// and a note says so; components in another frame than the global Cartesian one are left out with a note. Values of a node in several elements or materials are averaged. Throws input::InputError.
 NodalField read_field(const std::filesystem::path& source, const FieldOptions& options = {});
 
 /// The field of tables that were read before.

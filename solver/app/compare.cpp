@@ -52,6 +52,7 @@ class Compare : public Command {
     app.add_option("--result-nodes", result_nodes_, "listing of the result's nodes (NLIST)")->type_name("FILE");
     app.add_option("--length-unit", length_unit_, "unit of the reference listing's lengths")->capture_default_str();
     app.add_option("--stress-unit", stress_unit_, "unit of the reference listing's stresses")->capture_default_str();
+    app.add_option("--load-step", load_step_, "load step of the reference listing that is taken (the last)")->check(CLI::PositiveNumber);
     app.add_option("--surface", surface_, "surface of shells that is taken: top, middle or bottom (all)")
         ->check(CLI::IsMember({"top", "middle", "bottom"}));
     app.add_flag("--all", all_, "list the worst nodes of the columns within their tolerance too");
@@ -67,6 +68,7 @@ class Compare : public Command {
         postproc::read_field(reference_, {.length_unit = quantity_in("--length-unit", "1 " + length_unit_, "m"),
                                           .stress_unit = quantity_in("--stress-unit", "1 " + stress_unit_, "Pa"),
                                           .surface = surface(),
+                                          .load_step = load_step_ > 0 ? std::optional(load_step_) : std::nullopt,
                                           .nodes = reference_nodes_});
     const postproc::Comparison comparison = postproc::compare(result, reference, options());
     write_difference(comparison);
@@ -111,6 +113,7 @@ class Compare : public Command {
   std::string reference_nodes_, result_nodes_, length_unit_ = "m", stress_unit_ = "Pa", surface_;
   std::string vtu_;
   bool all_ = false;
+  int load_step_ = 0;
   double relative_ = postproc::printed_precision;
   std::vector<std::string> columns_;
 };

@@ -1,8 +1,10 @@
 #include "postproc/comparison.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "postproc/field_cells.hpp"
 #include "postproc/grid.hpp"
@@ -136,6 +138,72 @@ TEST(Comparison, TheDifferenceIsAGridWithTheCellsOfTheResult) {
   EXPECT_NE(text.find("NumberOfCells=\"8\""), std::string::npos);
   EXPECT_NE(text.find("UX difference"), std::string::npos);
   EXPECT_NE(comparison_text(comparison).find("no node differs"), std::string::npos);
+}
+
+/// A listing of three nodes in the form of PRNSOL.
+std::string listing(const std::string& frame, int step, double scale) {
+  std::string text = fmt::format(" PRINT U    NODAL SOLUTION PER NODE\n\n  LOAD STEP=  {}  SUBSTEP=  4\n  THE FOLLOWING DEGREE OF FREEDOM RESULTS ARE IN {}\n\n    NODE  UX  UY  UZ  USUM\n", step, frame);
+  for (const auto& [node, u] : {std::pair{3, 1.0}, std::pair{5, 2.0}, std::pair{8, -3.0}})
+    text += fmt::format("  {}  {:.5E}  {:.5E}  {:.5E}  {:.5E}\n", node, scale * u, 0.0, 0.0, scale * std::abs(u));
+  return text;
+}
+
+NodalField field_of_text(const std::string& text, const FieldOptions& options = {}) {
+  input::Diagnostics diagnostics;
+  NodalField field = field_of(parse_listing(text, "u.lis", diagnostics), options);
+  diagnostics.throw_if_any();
+  field.name = "u.lis";
+  return field;
+}
+
+TEST(Comparison, ComponentsOfAnotherFrameAreNotTakenForCartesianOnes) {
+  // RSYS,5 and the frame of the solution: USUM is compared, UX UY UZ are not, and that is said; the global frame has no note.
+  for (const char* frame : {"COORDINATE SYSTEM     5", "ROTATED COORDINATE SYSTEM"}) {
+    const NodalField field = field_of_text(listing(frame, 1, 1e-3));
+    EXPECT_EQ(field.find("UX"), nullptr) << frame;
+    ASSERT_NE(field.find("USUM"), nullptr);
+    ASSERT_EQ(field.notes.size(), 1u);
+    EXPECT_NE(field.notes[0].find("RSYS,0"), std::string::npos);
+  }
+  for (const char* frame : {"THE GLOBAL COORDINATE SYSTEM", "COORDINATE SYSTEM  0"}) EXPECT_TRUE(field_of_text(listing(frame, 1, 1e-3)).notes.empty()) << frame;
+  const auto comparison = compare(field_of_text(listing("THE GLOBAL COORDINATE SYSTEM", 1, 1e-3)), field_of_text(listing("COORDINATE SYSTEM 1", 1, 1e-3)));
+  ASSERT_EQ(comparison.columns.size(), 1u);
+  EXPECT_NE(comparison_text(comparison).find("note       reference: its components are in COORDINATE SYSTEM 1"), std::string::npos);
+  EXPECT_TRUE(field_of_text(" LIST ALL SELECTED NODES.   DSYS=      1\n\n    NODE  X  Y  Z\n  1  1.0  2.0  3.0\n").places.empty());
+}
+
+TEST(Comparison, WhichLoadStepIsComparedIsSaidAndCanBeChosen) {
+  const std::string text = listing("THE GLOBAL COORDINATE SYSTEM", 1, 1e-3) + "\n" + listing("THE GLOBAL COORDINATE SYSTEM", 2, 5e-3);
+  const NodalField last = field_of_text(text);
+  EXPECT_DOUBLE_EQ(last.find("UX")->values[1], 1e-2);
+  ASSERT_EQ(last.notes.size(), 1u);
+  EXPECT_NE(last.notes[0].find("of 2 load steps and substeps, load step 2 substep 4 is taken"), std::string::npos);
+  EXPECT_DOUBLE_EQ(field_of_text(text, {.load_step = 1}).find("UX")->values[1], 2e-3);
+  EXPECT_THROW(field_of_text(text, {.load_step = 3}), input::InputError);
+}
+
+TEST(Comparison, ValuesAThousandTimesTooLargeAskForTheirUnit) {
+  const auto metres = field_of_text(listing("THE GLOBAL COORDINATE SYSTEM", 1, 1.02e-3)), millimetres = field_of_text(listing("THE GLOBAL COORDINATE SYSTEM", 1, 1.0));
+  EXPECT_NE(comparison_text(compare(metres, millimetres)).find("(--length-unit mm)"), std::string::npos);
+  EXPECT_TRUE(compare(metres, metres).notes.empty());
+}
+
+TEST(Comparison, TablesOfOtherProgramsAreListings) {
+  // A Workbench export with tabs and decimal commas, a table of PyMAPDL, a .dat file of CalculiX with two times: labels, units, values.
+  const auto folder = test::fresh_folder("other-listings");
+  const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder / name) << text; return folder / name; };
+  const NodalField stress = read_field(write("s.txt", "Node Number\tEquivalent (von-Mises) Stress (kPa)\tX Location (cm)\r\n2\t1,25\t0,5\r\n7\t10,5\t3\r\n"));
+  EXPECT_EQ(stress.nodes, (std::vector<int>{2, 7}));
+  EXPECT_DOUBLE_EQ(stress.find("SEQV")->values[1], 10500.0);
+  EXPECT_DOUBLE_EQ(stress.find("X")->values[1], 0.03);
+  const NodalField table = read_field(write("u.csv", "node,UX,UY,UZ\n1,0.5,0,-1\n2,1.5,0,2\n"), {.length_unit = 1e-3});
+  EXPECT_DOUBLE_EQ(table.find("UZ")->values[0], -1e-3);
+  const std::string head = " displacements (vx,vy,vz) for set NALL and time  ", row = "\n\n         4  1.000000E-01 -2.000000E-01  3.000000E+00\n";
+  const NodalField dat = read_field(write("m.dat", "\n" + head + "0.5000000E+00" + row + "\n" + head + "0.1000000E+01\n\n         4  2.000000E-01 -2.000000E-01  4.000000E+00\n"));
+  EXPECT_DOUBLE_EQ(dat.find("UZ")->values[0], 4.0);
+  EXPECT_EQ(dat.notes.size(), 1u);
+  EXPECT_THROW(read_field(write("bad.csv", "node,UX\n1.5,2\n")), input::InputError);
+  EXPECT_THROW(read_field(write("unit.csv", "node,UX [kPa]\n1,2\n")), input::InputError);
 }
 
 }  // namespace

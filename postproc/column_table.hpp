@@ -1,0 +1,17 @@
+// Nodal tables with a head line and separated columns, as Workbench, PyMAPDL and Abaqus write them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "postproc/listing_reader.hpp"
+
+namespace snug::postproc {
+
+/// The table of a file whose first line heads a column of node numbers ("Node Number<tab>Total Deformation (mm)", "node,UX,UY,UZ");
+/// nothing where it is none. Columns are named as Ansys does (USUM, SEQV, S1, ...) and carry the units of their heads. Reports what
+/// is wrong in it.
+std::optional<ListingTable> column_table(std::string_view text, const std::filesystem::path& file, input::Diagnostics& diagnostics);
+
+}  // namespace snug::postproc
