@@ -49,6 +49,7 @@ std::optional<double> quantity(const Field& field, const Value& value, Diagnosti
   const std::string want = fmt::format("give {} with its unit, e.g. \"{}\" (SI: {})", dimension_name(field.unit),
                                        example_quantity(field.unit), field.unit);
   double storage = 0.0;
+  if (const double* number = value.number(storage); number && field.unit == "%") return *number;  // sheets print percentages without a sign
   if (const double* number = value.number(storage)) {
     diagnostics.error(value.where, fmt::format("{} is the bare number {}", field.key, *number),
                       fmt::format("a unit is due here: write \"{} {}\" if SI was meant, e.g. \"{}\"", *number,

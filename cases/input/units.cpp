@@ -115,7 +115,9 @@ struct Dimension {
   const char *unit, *name, *example;
 };
 
-const std::array<Dimension, 13> dimensions = {{{"m", "a length", "0.57 mm"},
+const std::array<Dimension, 15> dimensions = {{{"%", "a percentage", "40 %"},
+                                               {"1", "a ratio", "0.4 1"},
+                                               {"m", "a length", "0.57 mm"},
                                                {"m2", "an area", "25 cm2"},
                                                {"Pa", "a pressure", "20 gf/cm2"},
                                                {"N", "a force", "12 N"},

@@ -35,6 +35,10 @@ class TensionCurve {
   /// F(e) = k1 e + k3 e^3 (N/m) up to the engineering strain `data_end`; k1 > 0, k3 >= 0.
   static TensionCurve cubic(double k1, double k3, double data_end);
 
+  /// F(e) through points of a test, both rising from 0: cubic between them, never falling, with the slope of the first chord at 0
+  /// (Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246). Throws std::invalid_argument.
+  static TensionCurve through(const std::vector<double>& strain, const std::vector<double>& force);
+
   Value at(double green_strain) const;
   /// Smallest dS/dE over all E (N/m).
   double smallest_stiffness() const { return smallest_stiffness_; }
@@ -42,13 +46,19 @@ class TensionCurve {
   double data_end() const { return end_; }
 
  private:
-  enum class Kind { linear, kes, cubic } kind_ = Kind::linear;
+  enum class Kind { linear, kes, cubic, points } kind_ = Kind::linear;
+  struct Knot {
+    double strain, energy, force, slope;  ///< 1, J/m2, N/m, N/m
+  };
+  std::vector<Knot> knots_;  ///< of a curve through points
   double p0_ = 0, p1_ = 0;  ///< kes: initial stiffness (N/m), a; cubic: k1, k3 (N/m)
   double end_ = 0;          ///< Green strain where the data ends
   Value at_end_{};
   double initial_stiffness_ = 0, smallest_stiffness_ = 0;
 
-  TensionCurve(Kind kind, double p0, double p1, double data_end);
+  TensionCurve(Kind kind, double p0, double p1, double data_end, std::vector<Knot> knots = {});
+  /// Integral, value and slope of F over e.
+  Value between_knots(double engineering_strain) const;
   Value inside(double green_strain) const;
 };
 

@@ -97,7 +97,7 @@ struct KesTension {
     field(Field{.key = "WT", .unit = "J/m2", .meaning = "tensile work", .required = true, .bound = positive()},
           self.WT);
     field(Field{.key = "Fm", .unit = "N/m", .meaning = "largest force of the test", .bound = positive()}, self.Fm);
-    field(Field{.key = "EMT", .meaning = "elongation at Fm in percent, instead of Fm", .bound = positive()}, self.EMT);
+    field(Field{.key = "EMT", .unit = "%", .meaning = "elongation at Fm in percent, instead of Fm", .bound = positive()}, self.EMT);
   }
 };
 

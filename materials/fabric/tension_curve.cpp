@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "materials/fabric/fabric.hpp"
 
@@ -56,7 +57,7 @@ TensionCurve::Value cubic_law(double k1, double k3, double e) {
 // dW = F de = S dE because dE = (1 + e) de, so the energy needs no change; S' = (F' - S)/(1 + e)^2.
 TensionCurve::Value TensionCurve::inside(double green) const {
   const double e = engineering_strain(green);
-  const Value nominal = kind_ == Kind::kes ? exponential(p0_, p1_, e) : cubic_law(p0_, p1_, e);
+  const Value nominal = kind_ == Kind::kes ? exponential(p0_, p1_, e) : kind_ == Kind::cubic ? cubic_law(p0_, p1_, e) : between_knots(e);
   const double stretch = 1.0 + e;
   const double force = nominal.force / stretch;
   return {nominal.energy, force, (nominal.stiffness - force) / (stretch * stretch)};
@@ -72,8 +73,8 @@ TensionCurve::Value TensionCurve::at(double green) const {
 }
 
 // Walks the data once: finds the smallest slope and cuts the range where the curve has become too soft.
-TensionCurve::TensionCurve(Kind kind, double p0, double p1, double data_end)
-    : kind_(kind), p0_(p0), p1_(p1), end_(green_strain(data_end)), initial_stiffness_(p0), smallest_stiffness_(p0) {
+TensionCurve::TensionCurve(Kind kind, double p0, double p1, double data_end, std::vector<Knot> knots)
+    : kind_(kind), knots_(std::move(knots)), p0_(p0), p1_(p1), end_(green_strain(data_end)), initial_stiffness_(p0), smallest_stiffness_(p0) {
   constexpr int samples = 2000;
   const double step = data_end / samples;
   int softest = 0;
@@ -95,6 +96,40 @@ TensionCurve::TensionCurve(Kind kind, double p0, double p1, double data_end)
   }
   at_end_ = inside(end_);
   smallest_stiffness_ = std::min(smallest_stiffness_, at_end_.stiffness);
+}
+
+// Hermite's cubic on [0, h]: F = F0 + m0 t + (3 d - 2 m0 - m1) t^2/h + (m0 + m1 - 2 d) t^3/h^2, d the chord's slope.
+TensionCurve::Value TensionCurve::between_knots(double e) const {
+  auto next = std::upper_bound(knots_.begin(), knots_.end(), e, [](double at, const Knot& knot) { return at < knot.strain; });
+  next = std::clamp(next, knots_.begin() + 1, knots_.end() - 1);
+  const Knot &a = *(next - 1), &b = *next;
+  const double h = b.strain - a.strain, t = e - a.strain, d = (b.force - a.force) / h;
+  const double c2 = (3.0 * d - 2.0 * a.slope - b.slope) / h, c3 = (a.slope + b.slope - 2.0 * d) / (h * h);
+  return {a.energy + t * (a.force + t * (a.slope / 2.0 + t * (c2 / 3.0 + t * c3 / 4.0))), a.force + t * (a.slope + t * (c2 + t * c3)),
+          a.slope + t * (2.0 * c2 + 3.0 * t * c3)};
+}
+
+TensionCurve TensionCurve::through(const std::vector<double>& strain, const std::vector<double>& force) {
+  std::vector<Knot> knots;
+  for (std::size_t k = 0; k < strain.size(); ++k) {
+    if (k == 0 ? strain[0] != 0.0 || force[0] != 0.0 : !(strain[k] > strain[k - 1] && force[k] > force[k - 1]))
+      throw std::invalid_argument("a curve through points needs strains and forces that rise from 0");
+    knots.push_back({strain[k], 0.0, force[k], 0.0});
+  }
+  if (knots.size() < 2) throw std::invalid_argument("a curve through points needs two of them");
+  const auto chord = [&](std::size_t k) { return (force[k + 1] - force[k]) / (strain[k + 1] - strain[k]); };
+  const std::size_t last = knots.size() - 1;
+  for (std::size_t k = 1; k < last; ++k) {  // harmonic means, weighted by the intervals, keep the cubics from falling
+    const double before = strain[k] - strain[k - 1], after = strain[k + 1] - strain[k], w1 = 2.0 * after + before, w2 = after + 2.0 * before;
+    knots[k].slope = (w1 + w2) / (w1 / chord(k - 1) + w2 / chord(k));
+  }
+  knots[0].slope = chord(0), knots[last].slope = chord(last - 1);
+  for (std::size_t k = 0; k < last; ++k) {
+    const double h = strain[k + 1] - strain[k];
+    knots[k + 1].energy = knots[k].energy + 0.5 * h * (force[k] + force[k + 1]) + h * h / 12.0 * (knots[k].slope - knots[k + 1].slope);
+  }
+  const double initial = knots[0].slope, end = strain[last];
+  return TensionCurve(Kind::points, initial, 0.0, end, std::move(knots));
 }
 
 TensionCurve TensionCurve::linear(double stiffness) {
