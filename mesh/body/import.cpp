@@ -35,6 +35,13 @@ CellKind kind_of(const input::BodySpec& spec, const GmshMesh& mesh) {
   const auto only = [&](std::set<int> allowed) {
     return std::includes(allowed.begin(), allowed.end(), present.begin(), present.end());
   };
+  const auto high = std::find_if(types.begin(), types.end(), [&](int type) {
+    const std::string& name = mesh.type(type).name;  // "Tetrahedron 20"
+    return (name.starts_with("Tetrahedron") && mesh.type(type).nodes > 10) || (name.starts_with("Hexahedron") && mesh.type(type).nodes > 27);
+  });
+  if (high != types.end())
+    throw InputError(spec.where, fmt::format("{} has cells of third order or higher ({})", file, mesh.type(*high).name),
+                     "save it with order 1 or 2: Mesh.ElementOrder = 2, or gmsh -order 2");
   if (present.count(hex20))
     throw InputError(spec.where, file + " has hexahedra of 20 nodes",
                      "save complete ones: Mesh.SecondOrderIncomplete = 0 in gmsh");
@@ -116,7 +123,8 @@ class Import {
       for (const GmshGroup& g : file_.groups)
         if (g.dimension == 3) names.push_back(g.name);
       throw InputError(layer.where, fmt::format("{} has no physical volume \"{}\"", spec_.mesh.string(), layer.name),
-                       fmt::format("its physical volumes are: {}", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+                       names.empty() ? fmt::format("it has no physical volumes: write Physical Volume(\"{}\") = {{1}}; in gmsh (Physical Surface(\"skin\") for its surface) and save again", layer.name)
+                                     : fmt::format("its physical volumes are: {}; groups without a name go by their number", fmt::join(names, ", ")));
     }
     const std::vector<int> order = gmsh_order(mesh_.kind, file_);
     for (const GmshElements& elements : file_.elements)

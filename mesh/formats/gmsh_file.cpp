@@ -131,6 +131,7 @@ std::vector<GmshGroup> groups_of_model() {
   for (const auto& [dimension, tag] : pairs) {
     GmshGroup group{"", dimension, tag, {}, {}};
     gmsh::model::getPhysicalName(dimension, tag, group.name);
+    if (group.name.empty()) group.name = (dimension == 0 ? "point " : dimension == 1 ? "curve " : "") + std::to_string(tag);
     gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, group.entities);
     std::vector<std::size_t> nodes;
     std::vector<double> x;

@@ -16,7 +16,7 @@ struct GmshElements {
 };
 
 struct GmshGroup {
-  std::string name;
+  std::string name;  ///< its number where it has none, of curves and points with the word before it
   int dimension = 0, tag = 0;
   std::vector<int> entities;
   std::vector<std::uint64_t> nodes;

@@ -27,6 +27,7 @@ class Check : public Command {
       try {
         const PreparedCase prepared = prepare(directory, options_);
         const solver::Plan plan = solver::plan(prepared);
+        for (const input::Diagnostic& warning : prepared.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
         fmt::print("{}\n{}\n", plan_text(prepared.description.title, plan), quality_text(prepared));
       } catch (const input::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());

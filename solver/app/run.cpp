@@ -206,6 +206,8 @@ class Run : public Command {
     const std::vector<ReferenceTable> references =
         read_references(prepared.description);  // wrong ones before the solve
     const solver::Plan plan = solver::plan(prepared);
+    if (writes_)
+      for (const input::Diagnostic& warning : prepared.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
     if (writes_) make_room(out);
     if (stopped()) return given_up(directory, "the solution began");
     if (!session_) {

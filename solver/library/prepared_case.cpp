@@ -1,5 +1,8 @@
 #include "solver/library/prepared_case.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -9,6 +12,7 @@
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
 #include "solver/library/named_materials.hpp"
+#include "solver/library/plausibility.hpp"
 #include "solver/library/size_estimate.hpp"
 #include "solver/scene/garment_cells.hpp"
 
@@ -46,13 +50,26 @@ void check_that_something_acts(const input::Case& description, const mesh::BodyM
                           "add [load] or a [[support]] that moves, or forces in " + description.body->mesh.string());
 }
 
+/// What acts on the skin needs one.
+void check_skin(const input::Case& description, const mesh::BodyMesh& body) {
+  const bool pressed = description.load && description.load->skin_pressure != 0.0;
+  if (!body.skin_facets.empty() || !body.shell.empty() || (!pressed && description.garments.empty())) return;
+  std::vector<std::string> names;
+  for (const mesh::Surface& surface : body.surfaces)
+    if (!surface.facets.empty()) names.push_back("\"" + surface.name + "\"");
+  throw input::InputError(description.garments.empty() ? description.body->where : description.garments.front().where,
+                          fmt::format("{} has no surface \"skin\", on which {} acts", description.body->mesh.string(), pressed ? "the skin_pressure" : "the garment"),
+                          fmt::format("name the physical surface so; its surfaces are: {}", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
 Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, double memory_limit) {
   Meshes meshes;
   if (!description.body) return meshes;
   if (description.body->kind == input::BodyKind::imported) {
     const bool model = mesh::is_model_file(description.body->mesh);
-    meshes.body = model ? mesh::import_model(*description.body) : mesh::import_body_mesh(*description.body, gmsh);
+    meshes.body = model ? mesh::import_model(*description.body, description.directory) : mesh::import_body_mesh(*description.body, gmsh);
     check_that_something_acts(description, meshes.body);
+    check_skin(description, meshes.body);
     if (!description.garments.empty()) meshes.limb = limb_below(description.garments, meshes.body);
   } else {
     refuse_large_body(description, memory_limit);
@@ -71,6 +88,16 @@ void add_garments(const Model& model, double memory_limit, Meshes& meshes) {
   }
 }
 
+std::vector<input::Diagnostic> warnings_of(const PreparedCase& prepared) {
+  std::vector<input::Diagnostic> warnings = prepared.meshes.body.remarks;
+  for (const auto& more : {prepared.meshes.limb.remarks, implausible(prepared.model, prepared.meshes)}) warnings.insert(warnings.end(), more.begin(), more.end());
+  return warnings;
+}
+
+std::string place_text(const input::Location& where) {
+  return where.line > 0 ? where.file + ", line " + std::to_string(where.line) : where.file;
+}
+
 }  // namespace
 
 PreparedCase prepare(const std::filesystem::path& directory, const PrepareOptions& options) {
@@ -85,6 +112,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
   prepared.meshes = make_body(prepared.description, options.gmsh, prepared.memory_limit);
   prepared.model = make_model(prepared.description, prepared.meshes.body);
+  prepared.warnings = warnings_of(prepared);
   add_garments(prepared.model, prepared.memory_limit, prepared.meshes);
   prepared.quality = mesh::quality(prepared.meshes.body);
   prepared.phases.push_back({"meshing", meshing.seconds()});
@@ -99,6 +127,8 @@ Plan plan(const PreparedCase& prepared) {
 
 postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer, const KeptStates& kept, const Stop& stop, Journal* journal) {
   postproc::RunResult run = solve(prepared.model, prepared.meshes, observer, kept, stop, journal);
+  for (const input::Diagnostic& warning : prepared.warnings)
+    run.warnings.push_back({"the input", warning.found, place_text(warning.where), warning.remedy, {}});
   run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
   return run;
 }

@@ -27,6 +27,7 @@ struct PreparedCase {
   Meshes meshes;
   std::vector<mesh::QualityRow> quality;
   double memory_limit = 0.0;            ///< bytes that the case may take
+  std::vector<input::Diagnostic> warnings;  ///< what in the input is likely to be a slip, or is done otherwise than a file asks for
   std::vector<postproc::Phase> phases;  ///< seconds of reading and meshing
 };
 

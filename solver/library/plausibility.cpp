@@ -1,0 +1,114 @@
+#include "solver/library/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace snug::solver {
+
+namespace {
+
+using input::Diagnostic;
+
+constexpr double smallest_part = 2e-3, largest_part = 3.0;  // m: a phantom of a finger, a man
+constexpr double impossible = 4.0;                          // times beyond these
+constexpr double tight = 0.4, loose = 2.5;                  // garment over girth
+constexpr double torn = 0.2, tent = 6.0;
+
+class Checks {
+ public:
+  Checks(const Model& model, const Meshes& meshes) : model_(model), case_(model.asked), meshes_(meshes) {}
+
+  std::vector<Diagnostic> operator()() {
+    if (case_.body && case_.body->kind != input::BodyKind::stations) check_size();
+    if (case_.body && case_.body->kind == input::BodyKind::scan) check_shape();
+    if (meshes_.limb.skin)
+      for (const input::GarmentSpec& garment : case_.garments) check_fit(garment);
+    for (const GarmentModel& garment : model_.garments) check_fabric(garment.fabric, garment.spec.fabric.where);
+    errors_.throw_if_any();
+    return std::move(warnings_);
+  }
+
+ private:
+  void say(bool error, const input::Location& where, std::string found, std::string remedy) {
+    if (error) errors_.error(where, std::move(found), std::move(remedy));
+    else warnings_.push_back({where, std::move(found), std::move(remedy)});
+  }
+
+  /// Stations tell rows and columns themselves (mesh/body/stations); scans and meshes have one unit.
+  void check_size() {
+    Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
+    for (const Eigen::Vector3d& x : meshes_.body.nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
+    const double size = (high - low).maxCoeff();
+    if (meshes_.body.nodes.empty() || (size >= smallest_part && size <= largest_part)) return;
+    const double unit = case_.body->kind == input::BodyKind::scan ? case_.body->scan->unit : case_.body->unit;
+    std::string remedy = "look at its unit";
+    for (const auto& [name, other] : {std::pair{"1 mm", 1e-3}, std::pair{"1 cm", 1e-2}, std::pair{"1 m", 1.0}})
+      if (const double then = size / unit * other; then > 0.02 && then < largest_part && other != unit) {
+        remedy = fmt::format("does the file count in {}? unit = \"{}\" would make it {:.4g} mm", name + 2, name, 1e3 * then);
+        break;
+      }
+    say(size > impossible * largest_part || size < smallest_part / impossible, case_.body->where, fmt::format("the body is {:.4g} m long", size), remedy);
+  }
+
+  /// A limb is longer than wide; one that lies along another axis was cut across.
+  void check_shape() {
+    const mesh::Limb& limb = meshes_.limb;
+    const auto rows = mesh::girth_table(limb, 9);
+    double slender = 0.0;
+    for (const auto& row : rows) slender = std::max({slender, row.width / row.depth, row.depth / row.width});
+    const double across = std::max(rows[4].width, rows[4].depth), along = limb.upper - limb.lower;
+    if (slender < 1.9 || across < 1.5 * along) return;
+    say(false, case_.body->where, fmt::format("the sections of the scan are {:.0f} mm by {:.0f} mm over a length of {:.0f} mm", 1e3 * rows[4].width, 1e3 * rows[4].depth, 1e3 * along),
+        "is the limb cut along instead of across? programs of clothes and animation write files with up = \"y\"");
+  }
+
+  void check_fit(const input::GarmentSpec& garment) {
+    const double cut = garment.pattern.flat_circumference;
+    if (!(cut > 0.0) || !(garment.pattern.length > 0.0)) return;
+    constexpr int rows = 9;
+    double girth = 0.0;
+    for (int i = 0; i < rows; ++i) girth += meshes_.limb.girth(garment.position + garment.pattern.length * i / (rows - 1.0)) / rows;
+    const double ratio = cut / girth;
+    if (ratio >= tight && ratio <= loose) return;
+    const auto close = [&](double factor) { return ratio * factor > 0.45 && ratio * factor < 1.3; };
+    std::string remedy = ratio < 1.0 ? "no fabric stretches so far: look at flat_circumference and the girths" : "look at flat_circumference and the girths";
+    for (const auto& [factor, text] : {std::pair{10.0, "mm written for cm, or a digit too few"}, std::pair{0.1, "cm written for mm, or a digit too many"},
+                                       std::pair{25.4, "mm written for inches"}, std::pair{2.0 * std::numbers::pi, "the radius instead of the circumference"},
+                                       std::pair{std::numbers::pi, "the diameter instead of the circumference"}, std::pair{1.0 / std::numbers::pi, "pi too much"}})
+      if (close(factor)) {
+        remedy = fmt::format("{}? {:.4g} mm would be {:.0f} % of the girth", text, 1e3 * cut * factor, 100.0 * ratio * factor);
+        break;
+      }
+    say(ratio < torn || ratio > tent, garment.where,
+        fmt::format("{} is {:.4g} mm round as cut on a girth of {:.4g} mm, {:.0f} % {}", garment.name.empty() ? "the garment" : garment.name, 1e3 * cut, 1e3 * girth,
+                    100.0 * std::abs(ratio - 1.0), ratio < 1.0 ? "smaller" : "larger"),
+        remedy);
+  }
+
+  /// Gauze has 20 g/m2, neoprene of a diver 2 kg/m2 and 5 mm; rubber thread pulls with 10 N/m, sailcloth with 1 MN/m.
+  void check_fabric(const materials::Fabric& fabric, const input::Location& where) {
+    const auto look = [&](const char* what, double value, double low, double high, double show, const char* unit) {
+      if (value == 0.0 || (value >= low && value <= high)) return;
+      say(false, where, fmt::format("the {} of the fabric is {:.4g} {}", what, value * show, unit), "look at its unit");
+    };
+    look("weight", fabric.areal_density, 5e-3, 5.0, 1e3, "g/m2");
+    look("thickness", fabric.thickness, 2e-5, 0.02, 1e3, "mm");
+    look("stiffness", fabric.stiffness(), 1.0, 3e6, 1.0, "N/m");
+    look("shear stiffness", fabric.shear, 0.1, 1e6, 1.0, "N/m");
+  }
+
+  const Model& model_;
+  const input::Case& case_;
+  const Meshes& meshes_;
+  input::Diagnostics errors_;
+  std::vector<Diagnostic> warnings_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> implausible(const Model& model, const Meshes& meshes) { return Checks(model, meshes)(); }
+
+}  // namespace snug::solver
