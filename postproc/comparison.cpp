@@ -281,23 +281,28 @@ ColumnComparison compare_column(const Matched& matched, const std::string& label
   return column;
 }
 
-/// All values a power of ten (from 100 on) too large or too small: another unit. The factor of the extremes, where all agree on it.
+/// Values of all columns a hundred times and more too large or too small: likely another unit.
 std::string unit_hint(const Comparison& comparison) {
-  std::map<std::string, double> factor;  // by unit
+  struct Range {
+    double low = std::numeric_limits<double>::max(), high = -low;
+  };
+  std::map<std::string, Range> powers;  // of ten, by unit
   for (const ColumnComparison& column : comparison.columns) {
     const auto largest = [](const NodePlace& low, const NodePlace& high) { return std::max(std::abs(low.value), std::abs(high.value)); };
     const double result = largest(column.result_minimum, column.result_maximum), reference = largest(column.reference_minimum, column.reference_maximum);
     if (column.unit.empty() || !(result > 0.0) || !(reference > 0.0) || reference < 1e-3 * column.scale) continue;
+    Range& range = powers[column.unit];
     const double power = std::log10(reference / result);
-    if (std::abs(power) < 1.9 || std::abs(power - std::round(power)) > 0.1) return {};
-    const auto [it, fresh] = factor.emplace(column.unit, std::round(power));
-    if (!fresh && it->second != std::round(power)) return {};
+    range = {std::min(range.low, power), std::max(range.high, power)};
   }
-  if (factor.empty()) return {};
-  const auto& [unit, power] = *factor.begin();
-  const char* option = unit == "Pa" ? "--stress-unit" : "--length-unit";
-  const char* example = unit == "Pa" ? (power == -6.0 ? "MPa" : power == -3.0 ? "kPa" : "Pa") : power == 3.0 ? "mm" : power == 2.0 ? "cm" : "m";
-  return fmt::format("the values of the reference are {:g} times those of the result: another unit? ({} {})", std::pow(10.0, power), option, example);
+  for (const auto& [unit, range] : powers) {
+    const double power = 0.5 * (range.low + range.high);
+    if (range.high - range.low > 1.0 || (range.low < 1.8 && range.high > -1.8)) continue;
+    const char* option = unit == "Pa" ? "--stress-unit" : "--length-unit";
+    const char* example = unit == "Pa" ? (power < -4.5 ? "MPa" : power < 0.0 ? "kPa" : "Pa") : power > 2.4 ? "mm" : power > 0.0 ? "cm" : "m";
+    return fmt::format("the values of the reference are about {:.0g} times those of the result: another unit? ({} {})", std::pow(10.0, power), option, example);
+  }
+  return {};
 }
 
 }  // namespace

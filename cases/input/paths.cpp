@@ -13,7 +13,7 @@ namespace {
 /// Compares real places, so that a symbolic link does not lead out of the directory unseen.
 bool leaves(const fs::path& file, const fs::path& directory) {
   std::error_code failed;  // a name too long, links in a circle: such a path leads nowhere
-  const fs::path real = fs::weakly_canonical(file, failed);
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), failed);  // absolute: of a name that is not there it would stay relative
   if (failed) return false;
   const fs::path relative = real.lexically_relative(fs::weakly_canonical(directory, failed));
   if (failed) return false;

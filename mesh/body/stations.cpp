@@ -68,7 +68,21 @@ void check_known(const Csv& csv, Diagnostics& diagnostics) {
                         input::did_you_mean(column.name, known));
 }
 
+/// Lengths without a unit are not guessed, but what they are likely to be is said.
+bool lacks_unit(const Csv& csv, const ColumnSpec& spec, Diagnostics& diagnostics) {
+  const int index = csv.find(spec.name);
+  if (spec.unit != "m" || index < 0 || !csv.columns[index].unit.empty()) return false;
+  Diagnostics unread;
+  const std::vector<double> values = input::column_numbers(csv, index, unread);
+  const double most = values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  const char* likely = most > 150.0 ? "mm" : most > 15.0 ? "cm" : most > 0.1 && most < 2.0 ? "m" : "cm";
+  const std::string hint = spec.name.ends_with("girth") ? fmt::format("; {:g} would be a girth in {}", most, likely) : "";
+  diagnostics.error(csv.columns[index].where, fmt::format("the column {} has no unit", spec.name), fmt::format("give a length in the head, e.g. {} [{}]{}", spec.name, likely, hint));
+  return true;
+}
+
 std::vector<double> read_column(const Csv& csv, const ColumnSpec& spec, Diagnostics& diagnostics) {
+  if (lacks_unit(csv, spec, diagnostics)) return {};
   if (spec.otherwise && csv.find(spec.name) < 0) return std::vector<double>(csv.rows.size(), *spec.otherwise);
   const auto values = input::numbers(csv, spec.name, spec.unit, diagnostics);
   for (std::size_t r = 0; r < values.size(); ++r) {
@@ -118,20 +132,23 @@ constexpr double odd_jump = 1.8, impossible_jump = 4.0;  // of a girth over what
 /// One girth that stands out of its row is a slip of the pen: ten times too large, two digits changed.
 void check_girths(const Csv& csv, const Columns& column, const std::string& name, Diagnostics& diagnostics, std::vector<input::Diagnostic>& remarks) {
   const std::vector<double>&height = column.at("height"), &girth = column.at(name);
-  std::size_t worst = 0;
-  double jump = 1.0;
-  for (std::size_t r = 0; r < girth.size() && girth.size() > 2; ++r) {
-    const double over = girth[r] / expected_girth(height, girth, r), here = std::max(over, 1.0 / over);
-    if (here > jump) jump = here, worst = r;  // neighbours of a wrong row stand out less than it
+  if (girth.size() < 3) return;
+  std::vector<double> sorted = girth;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  const auto factor = [](double over) { return std::max(over, 1.0 / over); };
+  std::size_t worst = girth.size();
+  for (std::size_t r = 0; r < girth.size(); ++r) {  // a right row beside a wrong one stands out, too, but not from the whole table
+    if (factor(girth[r] / expected_girth(height, girth, r)) <= odd_jump) continue;
+    if (worst == girth.size() || factor(girth[r] / sorted[sorted.size() / 2]) > factor(girth[worst] / sorted[sorted.size() / 2])) worst = r;
   }
-  if (!(jump > odd_jump)) return;
+  if (worst == girth.size()) return;
   const double over = girth[worst] / expected_girth(height, girth, worst);
   const auto where = csv.place(worst, csv.find(name));
   const std::string found = fmt::format("{} is {:.4g} mm between rows that let {:.4g} mm expect", name, 1e3 * girth[worst], 1e3 * girth[worst] / over);
   const double tens = std::round(std::log10(over));
   const std::string remedy = tens != 0.0 ? fmt::format("a decimal point too far {}: {:.6g} mm?", tens > 0 ? "right" : "left", 1e3 * girth[worst] / std::pow(10.0, tens))
                                          : "look at the digits of this row";
-  if (jump > impossible_jump) diagnostics.error(where, found, remedy);
+  if (factor(over) > impossible_jump) diagnostics.error(where, found, remedy);
   else remarks.push_back({where, found, remedy});
 }
 

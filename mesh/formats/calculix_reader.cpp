@@ -111,9 +111,10 @@ class InpReader {
   }
 
   void step(const FieldLine& line) {
-    if (++steps_ > 1) line.error(0, "there is a second step", "give one step: snug brings all loads up together");
+    ++steps_;
+    first_force_ = model_.forces.size(), first_pressure_ = pressures_.size(), first_surface_pressure_ = surface_pressures_.size();
     if (parameters_.contains("PERTURBATION")) line.error(0, "the step is a perturbation of another", "give one static step");
-    large_displacements_ = parameters_.contains("NLGEOM") && parameter("NLGEOM") != "NO";
+    large_displacements_ = large_displacements_ || (parameters_.contains("NLGEOM") && parameter("NLGEOM") != "NO");
     step_line_ = line.number;
   }
 
@@ -236,6 +237,7 @@ class InpReader {
   Data scaled(const FieldLine& card, Scaled take) {
     if (const std::string type = parameter("TYPE"); !type.empty() && type != "DISPLACEMENT")
       card.error(0, fmt::format("the type {} is not taken over", type), "prescribe displacements");
+    if (parameter("OP") == "NEW") remove_earlier(card);
     double by = 1.0;
     if (const std::string name = parameter("AMPLITUDE"); !name.empty()) {
       const auto amplitude = amplitudes_.find(name);
@@ -246,6 +248,27 @@ class InpReader {
     }
     return [take = std::move(take), by](const FieldLine& line) { take(line, by); };
   }
+  /// OP=NEW: what earlier steps have set of this kind is over.
+  void remove_earlier(const FieldLine& card) {
+    std::string name = upper_case(card.text(0).substr(1));
+    std::erase(name, ' ');
+    if (name == "BOUNDARY") model_.supports.clear();
+    if (name == "CLOAD") model_.forces.clear(), first_force_ = 0;
+    if (name == "DLOAD") pressures_.clear(), first_pressure_ = 0;
+    if (name == "DSLOAD") surface_pressures_.clear(), first_surface_pressure_ = 0;
+  }
+  /// Adds a load, or puts its value in the place of that of an earlier step.
+  template <class Load, class Same>
+  static void put(std::vector<Load>& loads, std::size_t first_of_step, const Load& load, Same same) {
+    const auto end = loads.begin() + static_cast<std::ptrdiff_t>(first_of_step);
+    const auto earlier = std::find_if(loads.begin(), end, same);
+    if (earlier != end) *earlier = load;
+    else loads.push_back(load);
+  }
+  void put(std::vector<ModelPressure>& pressures, std::size_t first_of_step, const ModelPressure& pressure) const {
+    put(pressures, first_of_step, pressure, [&](const ModelPressure& p) { return p.element == pressure.element && p.face == pressure.face; });
+  }
+
   Data amplitude() {
     auto& pairs = amplitudes_[parameter("NAME")];
     return [&pairs](const FieldLine& line) {
@@ -310,7 +333,9 @@ class InpReader {
     const int component = line.integer_at(1);
     if (component < 1 || component > 3)
       return line.error(1, "this is no force", "write node, component 1 to 3, force; moments are not taken over");
-    for (const int node : nodes_named(line)) model_.forces.push_back({node, component - 1, by * line.number_at(2)});
+    for (const int node : nodes_named(line))
+      put(model_.forces, first_force_, {node, component - 1, by * line.number_at(2)},
+          [&](const ModelForce& f) { return f.node == node && f.component == component - 1; });
   }
 
   /// P1 ... P6 of solids, P of shells (along the normal of a shell: CalculiX manual, *DLOAD).
@@ -319,7 +344,7 @@ class InpReader {
     const int face = label.size() == 2 && label[0] == 'P' ? label[1] - '1' : label == "P" ? 0 : -1;
     if (face < 0 || face > 5)
       return line.error(1, fmt::format("the load {} is not taken over", line.text(1)), "use pressures P1 ... P6, or [load] gravity in case.toml");
-    for (const int element : elements_named(line)) model_.pressures.push_back({element, face, by * line.number_at(2)});
+    for (const int element : elements_named(line)) put(pressures_, first_pressure_, {element, face, by * line.number_at(2)});
   }
 
   /// S1 ... S6 of solids; SPOS and SNEG of shells, of which a pressure on the upper side (SPOS) acts against the normal.
@@ -341,7 +366,7 @@ class InpReader {
     if (upper_case(line.text(1)) != "P") return line.error(1, fmt::format("the load {} is not taken over", line.text(1)), "use pressures: surface, P, value");
     if (surface == surfaces_.end() || surface->second.empty())
       return line.error(0, fmt::format("there is no surface \"{}\" of faces", line.text(0)), "define it with *SURFACE, TYPE=ELEMENT before");
-    for (const SurfaceFace& at : surface->second) model_.pressures.push_back({at.element, at.face, by * at.sign * line.number_at(2)});
+    for (const SurfaceFace& at : surface->second) put(surface_pressures_, first_surface_pressure_, {at.element, at.face, by * at.sign * line.number_at(2)});
   }
   struct SurfaceFace {
     int element, face;
@@ -375,6 +400,11 @@ class InpReader {
     for (std::size_t e = 0; e < model_.elements.size(); ++e) place[model_.elements[e].number] = e;
     for (const Section& section : sections_) apply(section, place);
     take_marks();
+    model_.pressures = pressures_;
+    model_.pressures.insert(model_.pressures.end(), surface_pressures_.begin(), surface_pressures_.end());
+    if (steps_ > 1)
+      model_.remarks.push_back({{file_, step_line_, 1}, fmt::format("there are {} steps: the loads and supports at the end of the last one are brought up together", steps_),
+                                "take later steps away to have the end of an earlier one"});
     turn_into_global(model_, frames(), file_, diagnostics_);
     const bool elastic = std::any_of(model_.materials.begin(), model_.materials.end(), [](const auto& m) { return m.law == ModelLaw::elastic; });
     if (steps_ > 0 && !large_displacements_ && elastic) model_.remarks.push_back(linear_step_remark(file_, "NLGEOM to *STEP", step_line_));
@@ -426,6 +456,8 @@ class InpReader {
   std::vector<Section> sections_;
   std::optional<ModelElement> pending_;
   Data data_;
+  std::vector<ModelPressure> pressures_, surface_pressures_;  ///< of *DLOAD and *DSLOAD
+  std::size_t first_force_ = 0, first_pressure_ = 0, first_surface_pressure_ = 0;  ///< those of the present step
   int steps_ = 0, parts_ = 0, instances_ = 0, step_line_ = 0;
   double period_ = 1.0;  ///< of the step
   bool large_displacements_ = false;

@@ -60,8 +60,11 @@ class Checks {
     double slender = 0.0;
     for (const auto& row : rows) slender = std::max({slender, row.width / row.depth, row.depth / row.width});
     const double across = std::max(rows[4].width, rows[4].depth), along = limb.upper - limb.lower;
-    if (slender < 1.9 || across < 1.5 * along) return;
-    say(false, case_.body->where, fmt::format("the sections of the scan are {:.0f} mm by {:.0f} mm over a length of {:.0f} mm", 1e3 * rows[4].width, 1e3 * rows[4].depth, 1e3 * along),
+    const bool flat = slender > 1.6 && across > 1.5 * along, unlike = limb.residual.max > 0.1 * std::min(rows[4].width, rows[4].depth);
+    if (!flat && !unlike) return;
+    say(false, case_.body->where,
+        fmt::format("the sections of the scan are {:.0f} mm by {:.0f} mm over a length of {:.0f} mm, and the smooth skin is up to {:.0f} mm beside it", 1e3 * rows[4].width,
+                    1e3 * rows[4].depth, 1e3 * along, 1e3 * limb.residual.max),
         "is the limb cut along instead of across? programs of clothes and animation write files with up = \"y\"");
   }
 

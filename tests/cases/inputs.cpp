@@ -14,19 +14,27 @@ bool has(const Outcome& outcome, const std::string& part) { return outcome.text.
 TEST_F(Program, SlipsOfUnitsAreWarningsOrErrorsWithWhatWasPerhapsMeant) {
   // The cut of the shipped sleeve ten times too small or too large, its radius for its circumference; the girths of the table in the
   // unit of another; the case as it ships says nothing.
-  ASSERT_EQ(snug("new mine --like calf-sleeve").status, 0);
+  ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);
   const Outcome right = snug("check mine");
   EXPECT_EQ(right.status, 0) << right.text;
   EXPECT_FALSE(has(right, "warning")) << right.text;
-  const Outcome small = snug("check mine --set garment.pattern.flat_circumference='25 mm'");
+  const Outcome small = snug("check mine --set garment.pattern.flat_circumference='27 mm'");
   EXPECT_EQ(small.status, 2) << small.text;
   EXPECT_TRUE(has(small, "% smaller; mm written for cm, or a digit too few?")) << small.text;
-  const Outcome large = snug("check mine --set garment.pattern.flat_circumference='2500 mm'");
+  const Outcome large = snug("check mine --set garment.pattern.flat_circumference='2760 mm'");
   EXPECT_EQ(large.status, 2) << large.text;
   EXPECT_TRUE(has(large, "% larger; cm written for mm, or a digit too many?")) << large.text;
-  const Outcome loose = snug("check mine --set garment.pattern.flat_circumference='860 mm'");
+  const Outcome loose = snug("check mine --set garment.pattern.flat_circumference='950 mm'");
   EXPECT_EQ(loose.status, 0) << loose.text;
   EXPECT_TRUE(has(loose, "case.toml:") && has(loose, ": warning: ")) << loose.text;
+}
+
+TEST_F(Program, AFileThatIsNotThereIsNotSaidToBeOutside) {
+  // With the case directory as the present one: names of files that do not exist used to be taken for places outside.
+  write("case.toml", "title = \"here\"\n[body]\nkind = \"stations\"\nstations = \"calv.csv\"\n");
+  const Outcome outcome = snug("check .");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_TRUE(has(outcome, "there is no file \"calv.csv\"")) << outcome.text;
 }
 
 TEST_F(Program, ABodyWithoutASkinSaysSoWhereSomethingActsOnIt) {
@@ -57,7 +65,7 @@ TEST_F(Program, WhatAFileAsksForAndIsDoneOtherwiseIsAWarningOfTheRun) {
   write("bar/case.toml", "title = \"bar\"\n[body]\nkind = \"imported\"\nmesh = \"bar.inp\"\nunit = \"1 mm\"\nforce_unit = \"1 N\"\n");
   const Outcome run = snug("run bar --no-report");
   EXPECT_EQ(run.status, 0) << run.text;
-  EXPECT_TRUE(has(run, "bar.inp:21:1: warning: the step is one of small displacements there")) << run.text;
+  EXPECT_TRUE(has(run, "bar.inp:25:1: warning: the step is one of small displacements there")) << run.text;
   // E = 0.04 N/mm2, nu = 0, 0.0004 N/mm2: a strain of 1 %, 0.05 mm to first order at 5 to 8 (St. Venant-Kirchhoff: 1.5 % less)
   write("bar/u.csv", "node,UZ\n5,0.0493\n6,0.0493\n7,0.0493\n8,0.0493\n");
   const Outcome alike = snug("compare bar/out bar/u.csv --length-unit mm --relative 5e-3");

@@ -322,6 +322,22 @@ TEST(Calculix, PartsSurfacesNamedSupportsAndQuotedNames) {
   EXPECT_NE(fault(inp, text + "*PART, NAME=Q\n").find("second part"), std::string::npos);
 }
 
+TEST(Calculix, OfSeveralStepsTheEndOfTheLastIsTaken) {
+  // What a later step sets again takes the place of the earlier value, what it does not name stays (OP=MOD), OP=NEW begins anew.
+  const std::string body = inp_nodes + "*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1,2,3,4,5,6,7,8\n" + inp_rest + "*BOUNDARY\n1,1,3\n2,2,3\n4,3,3\n";
+  const std::string first = "*STEP, NLGEOM\n*STATIC\n*CLOAD\n7,1,1.\n7,1,0.5\n8,2,2.\n*DLOAD\n1,P2,0.3\n*END STEP\n";
+  const Model both = inp(body + first + "*STEP\n*STATIC\n*CLOAD\n8,2,5.\n*DLOAD\n1,P2,0.4\n*BOUNDARY\n1,3,3,0.1\n*END STEP\n");
+  EXPECT_EQ(both.forces, (std::vector<ModelForce>{{7, 0, 1.0}, {7, 0, 0.5}, {8, 1, 5.0}}));  // within a step forces add up
+  EXPECT_EQ(both.pressures, (std::vector<ModelPressure>{{1, 1, 0.4}}));
+  ASSERT_EQ(both.remarks.size(), 1u);
+  EXPECT_NE(both.remarks[0].found.find("there are 2 steps"), std::string::npos);
+  const Model anew = inp(body + first + "*STEP\n*STATIC\n*CLOAD, OP=NEW\n6,3,1.\n*END STEP\n");
+  EXPECT_EQ(anew.forces, (std::vector<ModelForce>{{6, 2, 1.0}}));
+  EXPECT_EQ(anew.pressures.size(), 1u);
+  const BodyMesh moved = body_of(both, in_centimetres());
+  EXPECT_EQ(std::count_if(moved.held.begin(), moved.held.end(), [](const auto& h) { return h.displacement == 0.001; }), 1);
+}
+
 TEST(Calculix, OgdenOfSeveralTermsGoesOn) {
   // Nine constants, eight a line; D2 and D3 must be 0.
   const std::string head = inp_nodes + "*ELEMENT, TYPE=C3D8R, ELSET=E\n1, 1,2,3,4,5,6,7,8\n*MATERIAL, NAME=M\n*HYPERELASTIC, OGDEN, N=3\n";

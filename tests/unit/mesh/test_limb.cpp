@@ -182,6 +182,8 @@ TEST(Stations, ABoneThatIsNotInTheTableIsAQuarterOfTheGirthAndSaidSo) {
 TEST(Stations, SlipsOfUnitsAndDigitsAreToldWithRowAndColumn) {
   const std::string head = "height [mm], girth [mm], bone_girth [mm]\n";
   expect_error(head + "0, 400, 90\n50, 410, 90\n100, 4220, 90\n150, 430, 90\n", {".csv:4:6: error: girth is 4220 mm", "420 mm expect", "422 mm?"});
+  expect_error(head + "0, 400, 90\n50, 4100, 90\n100, 420, 90\n150, 430, 90\n", {".csv:3:5: error: girth is 4100 mm"});
+  expect_error("height [cm], girth, bone_girth [cm]\n0, 41.5, 9\n5, 42, 9\n", {".csv:1:14: error: the column girth has no unit", "42 would be a girth in cm"});
   expect_error(head + "0, 40, 9\n50, 410, 90\n100, 420, 90\n", {".csv:2:4: error: girth is 40 mm", "400 mm?"});
   expect_error("height [mm], girth [m], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:5: error: girth is up to 410 m", "is the unit [mm] instead of [m]?"});
   expect_error("height [m], girth [mm], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:1: error: the heights reach over 50 m"});
