@@ -79,13 +79,15 @@ Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, 
   return meshes;
 }
 
-void add_garments(const Model& model, double memory_limit, Meshes& meshes) {
+/// Sizes of the garments' cells; garments with more of them than the machine can hold are refused.
+std::vector<double> garment_cell_sizes(const Model& model, double memory_limit, const Meshes& meshes) {
+  std::vector<double> sizes;
   for (std::size_t g = 0; g < model.garments.size(); ++g) {
     const input::GarmentSpec& spec = model.garments[g].spec;
-    const double cell_size = worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body);
-    refuse_large_garment(spec, spec.cell_size > 0.0 ? spec.cell_size : cell_size, memory_limit);
-    meshes.garments.push_back(mesh::make_garment_mesh(spec, meshes.limb, cell_size));
+    sizes.push_back(worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body));
+    refuse_large_garment(spec, spec.cell_size > 0.0 ? spec.cell_size : sizes.back(), memory_limit);
   }
+  return sizes;
 }
 
 std::vector<input::Diagnostic> warnings_of(const PreparedCase& prepared) {
@@ -112,8 +114,10 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
   prepared.meshes = make_body(prepared.description, options.gmsh, prepared.memory_limit);
   prepared.model = make_model(prepared.description, prepared.meshes.body);
+  const std::vector<double> cell_sizes = garment_cell_sizes(prepared.model, prepared.memory_limit, prepared.meshes);
   prepared.warnings = warnings_of(prepared);
-  add_garments(prepared.model, prepared.memory_limit, prepared.meshes);
+  for (std::size_t g = 0; g < cell_sizes.size(); ++g)
+    prepared.meshes.garments.push_back(mesh::make_garment_mesh(prepared.model.garments[g].spec, prepared.meshes.limb, cell_sizes[g]));
   prepared.quality = mesh::quality(prepared.meshes.body);
   prepared.phases.push_back({"meshing", meshing.seconds()});
   return prepared;
