@@ -407,7 +407,7 @@ class InpReader {
                                 "take later steps away to have the end of an earlier one"});
     turn_into_global(model_, frames(), file_, diagnostics_);
     const bool elastic = std::any_of(model_.materials.begin(), model_.materials.end(), [](const auto& m) { return m.law == ModelLaw::elastic; });
-    if (steps_ > 0 && !large_displacements_ && elastic) model_.remarks.push_back(linear_step_remark(file_, "NLGEOM to *STEP", step_line_));
+    if (steps_ > 0 && !large_displacements_ && elastic) model_.remarks.push_back(linear_step_remark(file_, "*STEP, NLGEOM", step_line_));
     for (const ModelElement& element : model_.elements)
       if ((element.material < 0 || (is_shell(element.kind) && element.section < 0)) && diagnostics_.errors().size() < most_errors)
         diagnostics_.error({file_, model_.element_line[element.number], 1}, fmt::format("element {} has no section", element.number),

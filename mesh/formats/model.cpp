@@ -140,7 +140,7 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
 
 input::Diagnostic linear_step_remark(const std::string& file, const std::string& switch_on, int line) {
   return {{file, line, 1}, "the step is one of small displacements there, and is solved with large ones here",
-          "the answers agree only while strains and turns are small; add " + switch_on + " to the file to have both alike"};
+          "the answers agree only while strains and turns are small; " + switch_on + " in the file has both alike"};
 }
 
 /// Both programs call their input .inp: cards of CalculiX begin with one star and a letter.

@@ -9,6 +9,7 @@
 #include "materials/database/shipped.hpp"
 #include "materials/fabric/fabric.hpp"
 #include "materials/fabric/inputs.hpp"
+#include "materials/fabric/measured.hpp"
 #include "materials/laws/inputs.hpp"
 #include "solver/app/library_commands.hpp"
 
@@ -67,6 +68,8 @@ std::vector<input::KeyRow> law_keys() {
   append(rows, input::keys_of<materials::LinearFabric>("linear."));
   append(rows, input::keys_of<materials::CubicFabric>("cubic."));
   append(rows, input::keys_of<materials::KesFabric>("kes."));
+  append(rows, input::keys_of<materials::CurveFabric>("curve."));
+  append(rows, input::keys_of<materials::FastFabric>("fast."));
   return rows;
 }
 
