@@ -75,7 +75,13 @@ class InpReader {
     }
     data_ = {};
     const auto& table = cards();
-    if (const auto card = table.find(name); card != table.end()) return card->second(*this, line);
+    if (const auto card = table.find(name); card != table.end()) {
+      card->second(*this, line);
+      for (std::size_t f = 1; f < line.fields.size(); ++f)  // *NODE, INPUT=...: the data lines stand in a file
+        if (const auto equals = line.text(f).find('='); upper_case(trimmed(line.text(f).substr(0, equals))) == "INPUT")
+          source_.include(std::string(trimmed(line.text(f).substr(equals + 1))), line.at(f), diagnostics_);
+      return;
+    }
     if (!is_card_without_meaning(name))
       line.error(0, fmt::format("the card {} is not taken over", line.text(0)),
                  "leave it out; snug reads nodes, elements, sets, materials, sections, surfaces, supports, forces and pressures of one static step");
@@ -181,6 +187,7 @@ class InpReader {
   /// Numbers or names of other sets; GENERATE: from, to, step.
   Data set(std::vector<int>& members) {
     const bool generate = parameters_.contains("GENERATE"), of_nodes = parameters_.contains("NSET");
+    if (generate && of_nodes) generated_.insert(parameter("NSET"));
     return [this, &members, generate, of_nodes](const FieldLine& line) {
       if (generate) {
         const int first = line.integer_at(0), last = line.integer_at(1), step = std::max(1, line.integer_at(2, 1));
@@ -396,6 +403,7 @@ class InpReader {
 
   Model assemble() {
     model_.node_sets.erase("");
+    drop_gaps();
     std::map<int, std::size_t> place;
     for (std::size_t e = 0; e < model_.elements.size(); ++e) place[model_.elements[e].number] = e;
     for (const Section& section : sections_) apply(section, place);
@@ -414,6 +422,15 @@ class InpReader {
                            is_shell(element.kind) ? "give its set a *SHELL SECTION with a thickness" : "give its set a *SOLID SECTION");
     finish(model_, file_, diagnostics_);
     return std::move(model_);
+  }
+
+  /// Ranges may run over numbers that are not used.
+  void drop_gaps() {
+    std::set<int> known;
+    if (!generated_.empty())
+      for (const ModelNode& node : model_.nodes) known.insert(node.number);
+    for (const std::string& name : generated_)
+      if (const auto set = model_.node_sets.find(name); set != model_.node_sets.end()) std::erase_if(set->second, [&](int node) { return !known.contains(node); });
   }
 
   void apply(const Section& section, const std::map<int, std::size_t>& place) {
@@ -452,6 +469,7 @@ class InpReader {
   std::map<std::string, std::vector<SurfaceFace>> surfaces_;
   std::map<std::string, std::vector<std::pair<double, double>>> amplitudes_;  ///< times and values
   std::map<int, Mark> marks_;
+  std::set<std::string> generated_;  ///< sets of nodes by ranges
   std::vector<std::pair<std::string, FrameByPoints>> transforms_;  ///< of sets of nodes
   std::vector<Section> sections_;
   std::optional<ModelElement> pending_;

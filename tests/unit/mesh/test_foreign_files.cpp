@@ -374,6 +374,10 @@ TEST(Calculix, IncludedFilesLieInTheFolderOfTheCase) {
   EXPECT_NE(wrong.find("parts/nodes.inc:10:1: error: \"x\" is no"), std::string::npos) << wrong;
   write("case/parts/nodes.inc", inp_nodes);
   EXPECT_EQ(read_model(folder / "case/main.inp").nodes.size(), 8u);
+  write("case/parts/xyz.txt", inp_nodes.substr(inp_nodes.find('\n') + 1));  // data lines alone, named by the card itself; a range over gaps
+  write("case/data.inp", "*NODE, NSET=A, INPUT=parts/xyz.txt\n*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1,2,3,4,5,6,7,8\n*NSET, NSET=R, GENERATE\n5, 40, 1\n" + inp_rest);
+  EXPECT_EQ(read_model(folder / "case/data.inp").node_sets.at("R"), (std::vector<int>{5, 6, 7, 8}));
+  EXPECT_EQ(read_model(folder / "case/data.inp").node_sets.at("A").size(), 8u);
   const std::string outside = fault([&](const std::string& name) { return read_model(folder / name); }, "case/out.inp");
   EXPECT_EQ(outside.find("there twice"), std::string::npos);
   EXPECT_NE(outside.find("\"../secret.inp\" is included, which is outside"), std::string::npos) << outside;
