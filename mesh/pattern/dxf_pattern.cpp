@@ -17,7 +17,8 @@ using Eigen::Vector2d;
 using input::Diagnostics;
 using input::Location;
 
-constexpr double same = 1e-5;       // m
+constexpr double same = 1e-5;  // m
+constexpr std::size_t most_marks = 20'000, most_blocks = 1000;
 constexpr double near_mark = 1e-4;  // m, turn and curve points beside a vertex
 
 std::string upper(std::string text) {
@@ -254,6 +255,14 @@ Pattern parse_dxf(const std::string& text, const std::string& shown_as) {
   Diagnostics diagnostics;
   Pattern pattern;
   pattern.file = shown_as;
+  const auto large = [](const DxfBlock& block) {
+    return block.points.size() > most_marks ||
+           std::any_of(block.paths.begin(), block.paths.end(),
+                       [](const DxfPath& path) { return path.points.size() > most_marks; });
+  };
+  if (file.blocks.size() > most_blocks || std::any_of(file.blocks.begin(), file.blocks.end(), large))
+    throw input::InputError({.file = shown_as}, "more than 1000 blocks, or 20 000 points in one",
+                            "write less into one file");
   if (file.scaled_insert > 0)
     diagnostics.error({shown_as, file.scaled_insert, 1}, "a block is inserted in another size",
                       "write blocks in their own size");

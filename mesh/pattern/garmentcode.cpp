@@ -32,6 +32,8 @@ Vector2d relative(const Vector2d& from, const Vector2d& to, const Vector2d& cont
   return from + control.x() * edge + control.y() * Vector2d(-edge.y(), edge.x());
 }
 
+constexpr std::size_t most_panels = 1000, most_edges = 2000, most_stitches = 5000;
+
 /// Reads one file; everything is reported and read on.
 class Reading {
  public:
@@ -99,6 +101,8 @@ class Reading {
   }
 
   void read_panel(const input::Entry& entry) {
+    if (pattern_.pieces.size() == most_panels) fault(entry.where, "more than 1000 panels", "write less into one file");
+    if (pattern_.pieces.size() >= most_panels) return;
     const Table* table = entry.value.table();
     if (!table)
       return fault(entry.where, "the panel " + entry.key + " is " + entry.value.description(),
@@ -109,8 +113,9 @@ class Reading {
       fault(entry.where, "the panel " + piece.name + " stands twice", "give it a name of its own");
     const std::vector<Vector2d> vertices = read_vertices(*table, piece.name);
     const Value* edges = table->find("edges");
-    if (!edges || !edges->array() || edges->array()->size() < 2)
-      fault(edges ? edges->where : entry.where, "the panel " + piece.name + " has no edges", "give it two or more");
+    if (!edges || !edges->array() || edges->array()->size() < 2 || edges->array()->size() > most_edges)
+      fault(edges ? edges->where : entry.where, "the panel " + piece.name + " has no edges, or too many",
+            "give it 2 to 2000");
     else
       read_edges(*edges->array(), vertices, piece);
     piece.loops.push_back({0, static_cast<int>(piece.edges.size())});
@@ -231,6 +236,8 @@ class Reading {
     const Value* stitches = pattern.find("stitches");
     if (!stitches) return;
     if (!stitches->array()) return fault(stitches->where, "\"stitches\" is " + stitches->description(), "give a list");
+    if (stitches->array()->size() > most_stitches)
+      return fault(stitches->where, "more than 5000 stitches", "write less into one file");
     for (const Value& stitch : *stitches->array()) read_stitch(stitch);
   }
 

@@ -14,6 +14,7 @@ using input::Diagnostics;
 
 constexpr double closed = 1e-5, shortest = 1e-5, largest = 20.0;  // m
 constexpr double flat = 2e-5;                                     // m, curves against their chords
+constexpr std::size_t most_segments = 30'000;                     // each may have to be held against each
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -108,6 +109,9 @@ std::optional<Vector2d> crossing(const Segment& s, const Segment& t) {
 
 void check_crossings(const Piece& piece, Diagnostics& diagnostics) {
   std::vector<Segment> all = segments(piece);
+  if (all.size() > most_segments)
+    return diagnostics.error(piece.where, fmt::format("the outline of {} has {} chords", piece.name, all.size()),
+                             "draw it with fewer edges and points");
   std::sort(all.begin(), all.end(), [](const Segment& s, const Segment& t) { return s.left() < t.left(); });
   int found = 0;
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -78,6 +78,8 @@ Location place(const std::string& text, std::ptrdiff_t offset, const std::string
   return {file, static_cast<int>(line) + 1, static_cast<int>(at - (begin == std::string::npos ? 0 : begin + 1)) + 1};
 }
 
+constexpr std::size_t most_pieces = 1000;
+
 class Drawing {
  public:
   Drawing(const std::string& text, const std::string& file, Diagnostics& diagnostics)
@@ -188,6 +190,9 @@ class Drawing {
     if (!fault.empty())
       return diagnostics_.error(where(node), "the path stops at what cannot be read: " + fault,
                                 "write path data of SVG");
+    if (pattern_.pieces.size() >= most_pieces)
+      throw input::InputError(where(node), "more than 1000 closed paths",
+                              "give those that are pieces the class \"outline\"");
     if (closed.empty()) return;  // a line in the drawing
     std::stable_sort(closed.begin(), closed.end(),
                      [](const Curve& a, const Curve& b) { return std::abs(swept_area(a)) > std::abs(swept_area(b)); });
