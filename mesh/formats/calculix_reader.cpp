@@ -245,6 +245,9 @@ class InpReader {
     if (const std::string type = parameter("TYPE"); !type.empty() && type != "DISPLACEMENT")
       card.error(0, fmt::format("the type {} is not taken over", type), "prescribe displacements");
     if (parameter("OP") == "NEW") remove_earlier(card);
+    for (const auto& [key, value] : parameters_)
+      if (key != "OP" && key != "AMPLITUDE" && key != "TYPE" && key != "INPUT" && key != "LOADCASE")
+        card.error(0, fmt::format("the parameter {} is not taken over", key), "of supports and loads OP, AMPLITUDE and TYPE are read");
     double by = 1.0;
     if (const std::string name = parameter("AMPLITUDE"); !name.empty()) {
       const auto amplitude = amplitudes_.find(name);

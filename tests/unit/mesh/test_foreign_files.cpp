@@ -334,6 +334,7 @@ TEST(Calculix, OfSeveralStepsTheEndOfTheLastIsTaken) {
   const Model anew = inp(body + first + "*STEP\n*STATIC\n*CLOAD, OP=NEW\n6,3,1.\n*END STEP\n");
   EXPECT_EQ(anew.forces, (std::vector<ModelForce>{{6, 2, 1.0}}));
   EXPECT_EQ(anew.pressures.size(), 1u);
+  EXPECT_NE(fault(inp, body + first + "*STEP\n*STATIC\n*BOUNDARY, FIXED\n7,1,3\n*END STEP\n").find("the parameter FIXED is not taken over"), std::string::npos);
   const BodyMesh moved = body_of(both, in_centimetres());
   EXPECT_EQ(std::count_if(moved.held.begin(), moved.held.end(), [](const auto& h) { return h.displacement == 0.001; }), 1);
 }
