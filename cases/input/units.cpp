@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -141,7 +142,8 @@ bool factor_between(const Unit& from, const Unit& to, double& factor) {
   std::unique_ptr<cv_converter, decltype(&cv_free)> converter(ut_get_converter(from.get(), to.get()), &cv_free);
   if (!converter) return false;
   factor = cv_convert_double(converter.get(), 1.0);
-  return true;
+  // udunits also leads from a unit to its reciprocal (2 1/m is 0.5 m) and over offsets (degC): neither is a factor
+  return std::abs(cv_convert_double(converter.get(), 2.0) - 2.0 * factor) <= 1e-12 * std::abs(factor);
 }
 
 /// What a unit of another dimension is easily taken for, with the way out; empty where nothing is known.

@@ -46,7 +46,7 @@ class PatternCommand : public Command {
       pattern.title += fmt::format(" (girth x {:g}, length x {:g})", grade_[0], grade_[1]);
     }
     const mesh::CheckedPattern checked = mesh::checked(std::move(pattern));
-    for (const input::Diagnostic& warning : checked.warnings) fmt::print(stderr, "{}\n", warning_text(warning));
+    for (const input::Diagnostic& warning : checked.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
     fmt::print("{}", pattern_table(checked));
     std::optional<mesh::SewnMesh> mesh;
     if (!cells_.empty()) {

@@ -76,10 +76,4 @@ std::string mesh_table(const mesh::SewnMesh& mesh) {
                      1e4 * area);
 }
 
-std::string warning_text(const input::Diagnostic& warning) {
-  std::string text = input::to_string(warning);
-  if (const auto at = text.find("error: "); at != std::string::npos) text.replace(at, 7, "warning: ");
-  return text;
-}
-
 }  // namespace snug::app

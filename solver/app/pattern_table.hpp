@@ -12,7 +12,5 @@ namespace snug::app {
 std::string pattern_table(const mesh::CheckedPattern& checked);
 /// Triangles, nodes, and how well they keep areas and lengths.
 std::string mesh_table(const mesh::SewnMesh& mesh);
-/// "FILE:LINE:COLUMN: warning: found; remedy"
-std::string warning_text(const input::Diagnostic& warning);
 
 }  // namespace snug::app

@@ -353,6 +353,9 @@ std::vector<Target> library_targets() {
        curve,
        {text_of(data / "weft_tensile.csv"), "x,y\n0,1\n2,5\n"},
        {",", "\n", "[%]", "1e308", "-1e308", "nan", "#", "\""}},
+  };
+}
+
 /// Sewing patterns. One that is read must also be checked, and where it is sound drawn, written, read again and meshed.
 std::vector<Target> pattern_targets() {
   const auto pattern_by = [](auto parse) {

@@ -103,6 +103,14 @@ TEST_F(CsvFile, ColumnsArriveInSi) {
   EXPECT_FALSE(diagnostics_.any());
 }
 
+TEST(Units, ReciprocalsAndOffsetsAreNoFactors) {
+  // A length is not given by a curvature, nor a temperature difference by a reading of a thermometer.
+  double factor = 0.0;
+  for (const auto& [from, to] : {std::pair{"1/m", "m"}, {"m/N", "N/m"}, {"degC", "K"}}) EXPECT_FALSE(unit_factor(from, to, factor)) << from;
+  ASSERT_TRUE(unit_factor("1/mm", "1/m", factor));
+  EXPECT_DOUBLE_EQ(factor, 1000.0);
+}
+
 TEST_F(CsvFile, NumbersAreWhole) {
   // A unit or anything else behind the number of a cell is an error and not left out.
   const Csv csv = read("girth [mm]\n500 mm\n5x\n5;1\n0x10\n");
