@@ -86,7 +86,7 @@ bool Contact::faces(const ContactHistory& history, int vertex) const {
 void Contact::decide(const State& state, ContactHistory& history) const {
   std::vector<double> trials(vertices());
   for (int i = 0; i < vertices(); ++i) {
-    const double trial = pressure(state, i) - stiffness_ * history.weighted_gap[i] / rest_area(i);
+    const double trial = multiplier(state, i) - stiffness_ * history.weighted_gap[i] / rest_area(i);
     trials[i] = faces(history, i) ? trial : -std::abs(trial);
   }
   history.active.follow(trials);
@@ -104,7 +104,7 @@ void Contact::measure(const State& state, Measure& measure) const {
   const ContactHistory& now = history(state);
   double sum = 0.0;
   for (int i = 0; i < vertices(); ++i) {
-    const double p = pressure(state, i), g = now.weighted_gap[i] / rest_area(i);
+    const double p = multiplier(state, i), g = now.weighted_gap[i] / rest_area(i);
     if (now.active[i]) {
       sum += p;
       ++measure.active;
