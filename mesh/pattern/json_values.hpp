@@ -7,8 +7,8 @@
 
 namespace snug::mesh {
 
-/// The object that a JSON text holds. Reports wrong syntax, what is no object, and nesting of more than 50, and gives
-/// an empty table then. null is std::monostate. Of keys that stand twice the first one counts.
+/// The object that a JSON text holds, by the reader of mesh/formats. Reports what that refuses and what is no object, and gives
+/// an empty table then.
 input::Table parse_json(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics);
 
 }  // namespace snug::mesh
