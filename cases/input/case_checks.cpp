@@ -7,19 +7,11 @@
 #include <numbers>
 #include <set>
 
+#include "cases/input/suggestion.hpp"
+
 namespace snug::input {
 
 namespace {
-
-struct Unavailable {
-  std::string section, key, remedy;
-};
-
-/// Inputs that are planned, so that they are not mistaken for misspellings.
-std::vector<Unavailable> unavailable() {
-  return {
-      {"garment", "seams", "patterns of several pieces are not available yet; use pattern = { kind = \"tube\", ... }"}};
-}
 
 void check_shells(const BodySpec& body, Diagnostics& diagnostics) {
   for (const LayerSpec& layer : body.layers) {
@@ -147,8 +139,31 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   check_thicknesses(body, diagnostics);
 }
 
+void check_tube(const GarmentSpec& garment, Diagnostics& diagnostics) {
+  const PatternSpec& tube = garment.pattern;
+  const auto missing = [&](double size, const char* key, const char* meaning, const char* example) {
+    if (size == 0.0)
+      diagnostics.error(tube.where, fmt::format("the key {} is missing", key),
+                        fmt::format("add {}: {} of the tube as cut, e.g. \"{}\"; or name a sewing pattern: pattern = \"FILE\"", key, meaning, example));
+  };
+  missing(tube.flat_circumference, "flat_circumference", "circumference", "400 mm");
+  missing(tube.length, "length", "length", "200 mm");
+  if (!garment.bottom.empty())
+    diagnostics.error(garment.where, "bottom is for sewing patterns; a tube has its lower edge", "leave it out");
+}
+
+void check_sewn(const GarmentSpec& garment, Diagnostics& diagnostics) {
+  const PatternSpec& sewn = garment.pattern;
+  if (sewn.file.empty()) diagnostics.error(sewn.where, "a sewn pattern names no file", "add file = \"patterns/vest.toml\"");
+  for (const auto& [size, key] : {std::pair{sewn.flat_circumference, "flat_circumference"}, std::pair{sewn.length, "length"}})
+    if (size != 0.0) diagnostics.error(sewn.where, fmt::format("{} is of a tube, and there is a file", key), "leave it out; girth_scale and length_scale change the pattern");
+}
+
 void check_held(const GarmentSpec& garment, Diagnostics& diagnostics) {
   std::set<std::string> seen;
+  for (const HeldEdge& held : garment.held)
+    if (!garment.pattern.sewn() && held.edge != "upper" && held.edge != "lower" && !held.edge.empty())
+      diagnostics.error(held.where, fmt::format("\"{}\" is no edge", held.edge), did_you_mean(held.edge, {"upper", "lower"}));
   for (const HeldEdge& held : garment.held)
     if (!seen.insert(held.edge).second && !held.edge.empty())
       diagnostics.error(held.where, fmt::format("the {} edge is held twice", held.edge), "name each edge once");
@@ -190,6 +205,9 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
 void check_garments(const Case& c, Diagnostics& diagnostics) {
   std::set<std::string> names;
   for (const GarmentSpec& garment : c.garments) {
+    garment.pattern.sewn() ? check_sewn(garment, diagnostics) : check_tube(garment, diagnostics);
+    if (!garment.pattern.sewn() && garment.fabric.name.empty() && !garment.fabric.is_inline())
+      diagnostics.error(garment.where, "the key fabric is missing", "add fabric: an entry of snug materials list or a table of values");
     check_held(garment, diagnostics);
     if (!names.insert(garment.name).second)
       diagnostics.error(garment.where, fmt::format("a second garment is called \"{}\"", garment.name),
@@ -279,17 +297,9 @@ void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
 
 }  // namespace
 
-void refuse_unavailable(Table& root, Diagnostics& diagnostics) {
-  for (const Unavailable& item : unavailable()) {
-    Value* section_value = item.section.empty() ? nullptr : root.find(item.section);
-    Table* section = item.section.empty() ? &root : section_value ? section_value->table() : nullptr;
-    if (!section || !section->find(item.key)) continue;
-    diagnostics.error(section->where_is(item.key), fmt::format("the key {} is not supported", item.key), item.remedy);
-    section->remove(item.key);
-  }
-}
-
 void complete(Case& description, const Table& root) {
+  for (GarmentSpec& garment : description.garments)
+    if (!garment.pattern.file.empty()) garment.pattern.kind = PatternKind::sewn;
   const Table* body = root.table("body");
   const Value* given = body ? body->find("layers") : nullptr;
   if (!description.body || !given || !given->array()) return;

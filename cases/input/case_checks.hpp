@@ -7,10 +7,7 @@
 
 namespace snug::input {
 
-/// Reports and removes keys of later versions, with what to do instead.
-void refuse_unavailable(Table& root, Diagnostics& diagnostics);
-
-/// Fills in defaults that depend on other values: the form of the layers.
+/// Fills in defaults that depend on other values: the form of the layers, the kind of a pattern.
 void complete(Case& description, const Table& root);
 
 /// Reports what does not fit together. `root` gives the places.

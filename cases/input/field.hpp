@@ -36,6 +36,7 @@ struct Field {
   bool required = false;
   Bound bound = {};
   std::vector<std::string> choices = {};  ///< admissible texts, when the field is a choice
+  std::string text_key = {};  ///< of a table: the key that a text in its place stands for
   bool one_or_more = false;               ///< a list of tables of which one may stand as a plain table, without brackets
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <numbers>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace snug::input {
 
-enum class PatternKind { tube };
-constexpr auto texts_of(PatternKind) { return std::array{"tube"}; }
+enum class PatternKind { tube, sewn };
+constexpr auto texts_of(PatternKind) { return std::array{"tube", "sewn"}; }
 
 /// Direction against the body's axis.
 enum class WarpDirection { along, around };
@@ -25,35 +25,40 @@ constexpr auto texts_of(HeldDirection) { return std::array{"axis", "all"}; }
 
 struct PatternSpec {
   PatternKind kind = PatternKind::tube;
-  double flat_circumference = 0.0;  ///< m
-  double length = 0.0;              ///< m
+  double flat_circumference = 0.0;   ///< m, of a tube
+  double length = 0.0;               ///< m, of a tube
+  std::filesystem::path file;        ///< of a sewn pattern
+  std::vector<std::string> pieces;   ///< of the file that are worn; none: all
+  double girth_scale = 1.0, length_scale = 1.0;
+  Location where = {};
+
+  bool sewn() const { return kind == PatternKind::sewn; }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length"}, self.kind);
-    field(Field{.key = "flat_circumference",
-                .unit = "m",
-                .meaning = "circumference of the tube as cut, without tension",
-                .required = true,
-                .bound = positive()},
+    field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length; sewn: the pieces and seams of a file (taken where file is given)"},
+          self.kind);
+    field(Field{.key = "flat_circumference", .unit = "m", .meaning = "circumference of the tube as cut, without tension", .bound = positive()},
           self.flat_circumference);
-    field(Field{.key = "length",
-                .unit = "m",
-                .meaning = "length of the tube as cut",
-                .required = true,
-                .bound = positive()},
-          self.length);
+    field(Field{.key = "length", .unit = "m", .meaning = "length of the tube as cut", .bound = positive()}, self.length);
+    field(Field{.key = "file",
+                .meaning = "sewing pattern: .toml (docs/patterns.md), .json (GarmentCode), .dxf or .svg; pattern = \"FILE\" is the same"},
+          self.file);
+    field(Field{.key = "pieces", .meaning = "names of the pieces of the file that are worn; left out: all of them"}, self.pieces);
+    field(Field{.key = "girth_scale", .meaning = "factor across the drawings of the pieces: 0.9 is a tenth smaller round", .bound = between(0.2, 5.0)},
+          self.girth_scale);
+    field(Field{.key = "length_scale", .meaning = "factor along the drawings of the pieces", .bound = between(0.2, 5.0)}, self.length_scale);
   }
 };
 
 struct HeldEdge {
-  std::string edge;           ///< upper | lower
+  std::string edge;           ///< of a tube: upper | lower
   HeldDirection held = HeldDirection::axis;
   Location where = {};
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "edge", .meaning = "edge of the garment", .required = true, .choices = {"upper", "lower"}},
+    field(Field{.key = "edge", .meaning = "open edge of the garment: \"upper\" or \"lower\" of a tube; of a pattern what it calls it", .required = true},
           self.edge);
     field(Field{.key = "held",
                 .meaning = "axis: no displacement along the skin in the direction of the body's axis; all: none at all"},
@@ -67,7 +72,8 @@ struct GarmentSpec {
   MaterialEntry fabric;
   WarpDirection warp = WarpDirection::along;
   double position = 0.0;       ///< m; height of the lower edge as placed
-  double seam = std::numbers::pi;  ///< rad; where it lies round the limb
+  std::optional<double> seam;  ///< rad; where it lies round the limb
+  std::string bottom;          ///< open edge of a sewn pattern that lies lowest
   double cell_size = 0.0;      ///< m, on the pattern; 0 = by the skin's cells
   int order = 2;               ///< of the triangles
   std::optional<bool> bending, weight;
@@ -77,16 +83,18 @@ struct GarmentSpec {
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "name", .meaning = "name in results and contacts, its own where there are several garments"}, self.name);
-    field(Field{.key = "pattern", .meaning = "the pieces as cut", .required = true}, self.pattern);
-    field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values", .required = true},
-          self.fabric);
+    field(Field{.key = "pattern", .meaning = "the pieces as cut: a table, or the file of a sewing pattern", .required = true, .text_key = "file"},
+          self.pattern);
+    field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values; left out: the pattern's"}, self.fabric);
     field(Field{.key = "warp", .meaning = "warp (wale) direction against the body's axis"}, self.warp);
-    field(Field{.key = "position", .unit = "m", .meaning = "height of the lower edge as placed", .required = true},
+    field(Field{.key = "position", .unit = "m", .meaning = "height of the lowest point as placed", .required = true},
           self.position);
     field(Field{.key = "seam",
                 .unit = "rad",
-                .meaning = "angle at which the seam lies round the limb: 0 = side (+x), 90 deg = front (+y); left out: 180 deg"},
+                .meaning = "angle at which the (first) seam lies round the limb: 0 = side (+x), 90 deg = front (+y); left out: 180 deg, and "
+                           "of a pattern with pieces called front or back where these come to lie there"},
           self.seam);
+    field(Field{.key = "bottom", .meaning = "open edge of a pattern that lies lowest; left out: the one that its drawing has lowest"}, self.bottom);
     field(Field{.key = "cell_size",
                 .unit = "m",
                 .meaning = "edge length of the triangles on the pattern; 0 m: 0.6 of the mean cell size of the skin as worn, finer "

@@ -43,7 +43,6 @@ Case read_case(const fs::path& directory, const ReadOptions& options) {
   Table root = parse_case(directory, diagnostics);
   diagnostics.throw_if_any();  // without a document every key would be missing
   apply_overrides(root, options.overrides, diagnostics);
-  refuse_unavailable(root, diagnostics);
   const ReadRules rules{.directory = directory, .allow_outside = options.allow_outside};
   Case description = read<Case>(root, diagnostics, rules);
   description.directory = directory;

@@ -107,6 +107,11 @@ T read(const Table& table, Diagnostics& diagnostics, const ReadRules& rules = {}
 
 template <class T>
 void Reader::convert(const Field& field, const Value& value, T& member) const {
+  if (!field.text_key.empty() && value.text()) {
+    Table table{.where = value.where, .entries = {}};
+    table.set(field.text_key, value);
+    return read_into(member, table, diagnostics_, inner_rules());
+  }
   if (const Table* table = sub_table(field, value)) read_into(member, *table, diagnostics_, inner_rules());
 }
 

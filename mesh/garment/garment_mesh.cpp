@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 
-#include "mesh/garment/arc_length.hpp"
+#include "mesh/garment/girth_curve.hpp"
 #include "mesh/garment/pattern.hpp"
 #include "mesh/garment/union_find.hpp"
 
@@ -44,62 +43,20 @@ std::vector<int> sew(const PatternMesh& pattern) {
   return nodes.representatives();
 }
 
-/// The curve parallel to the skin of a limb at a distance outwards.
-class Parallel : public Outline {
- public:
-  Parallel(const Outline& skin, double distance) : skin_(skin), distance_(distance) {}
-  Eigen::Vector3d at(double turn, double z) const override {
-    return skin_.at(turn, z) + distance_ * outward_normal(skin_, turn, z);
-  }
-
- private:
-  const Outline& skin_;
-  double distance_;
-};
-
-/// How far off the skin a garment of this width stands at height z: a curve parallel to a closed one is longer by 2 pi times
-/// the distance. Not so far that the parallel curve folds where the section is hollow.
-double distance(const Limb& limb, const SectionArc& skin, double z, double width, double lift) {
-  const double wide = (width - skin.girth()) / (2.0 * std::numbers::pi);
-  if (wide <= lift + 1e-6 * skin.girth()) return lift;  // as wide as the limb but for round-off is not loose
-  double hollow = 0.0;  // 1/m
-  constexpr int samples = 64;
-  for (int i = 0; i < samples; ++i)
-    hollow = std::max(hollow, -limb.skin_curvature(static_cast<double>(i) / samples, z).x());
-  return std::max(lift, hollow > 0.0 ? std::min(wide, 0.5 / hollow) : wide);
-}
-
-/// Where the garment runs round the limb at one height.
-struct Section {
-  double distance = 0.0;                ///< m
-  std::unique_ptr<Outline> parallel;    ///< where it is wider than the limb
-  std::unique_ptr<SectionArc> arc;      ///< of it, else of the skin
-};
-
-Section section(const Limb& limb, double z, double width, double lift, double seam) {
-  Section s;
-  s.arc = std::make_unique<SectionArc>(*limb.skin, z, seam);
-  s.distance = distance(limb, *s.arc, z, width, lift);
-  if (s.distance == lift) return s;
-  s.parallel = std::make_unique<Parallel>(*limb.skin, s.distance);
-  s.arc = std::make_unique<SectionArc>(*s.parallel, z, seam);
-  return s;
-}
-
 /// The pattern's x runs counter-clockwise seen from above and its y upwards, which keeps its orientation seen from
 /// outside.
 void place(const input::GarmentSpec& spec, const Limb& limb, double lift, GarmentMesh& mesh) {
-  const double width = spec.pattern.flat_circumference;
-  std::map<double, Section> sections;  // the nodes of an edge share a height
+  const double width = spec.pattern.flat_circumference, seam = spec.seam.value_or(std::numbers::pi);
+  std::map<double, GirthCurve> curves;  // the nodes of an edge share a height
   for (std::size_t n = 0; n < mesh.pattern.size(); ++n) {
     const Eigen::Vector2d& x = mesh.pattern[mesh.merged[n]];
     const double z = spec.position + x.y();
-    auto it = sections.find(z);
-    if (it == sections.end()) it = sections.emplace(z, section(limb, z, width, lift, limb.skin->turn_at_angle(spec.seam, z))).first;
-    const Section& s = it->second;
-    const double turn = s.arc->turn_at(x.x() / width);
-    mesh.placed.push_back(limb.skin->at(turn, z) + s.distance * outward_normal(*limb.skin, turn, z));
-    if (s.parallel) mesh.stand_off = std::max(mesh.stand_off, s.distance);
+    auto it = curves.find(z);
+    if (it == curves.end()) it = curves.emplace(z, GirthCurve(limb, z, width, lift, limb.skin->turn_at_angle(seam, z))).first;
+    const GirthCurve& curve = it->second;
+    const double turn = curve.turn_at(x.x() / width);
+    mesh.placed.push_back(limb.skin->at(turn, z) + curve.distance() * outward_normal(*limb.skin, turn, z));
+    if (curve.loose()) mesh.stand_off = std::max(mesh.stand_off, curve.distance());
   }
 }
 
@@ -131,7 +88,14 @@ std::vector<int> representatives(const std::vector<int>& side, const std::vector
 
 }  // namespace
 
-GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift) {
+GarmentFit tube_fit(const input::GarmentSpec& spec) {
+  return {.rows = {{spec.position, spec.pattern.flat_circumference, 1.0}},
+          .lower = spec.position,
+          .upper = spec.position + spec.pattern.length,
+          .warp_along = spec.warp == input::WarpDirection::along};
+}
+
+GarmentMesh make_tube_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift) {
   const bool given = spec.cell_size > 0.0;
   check(spec, limb, given ? spec.cell_size : worn_size);
   const double width = spec.pattern.flat_circumference;
@@ -148,6 +112,7 @@ GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, 
   for (const char* edge : {"lower", "upper"}) mesh.edges[edge] = representatives(pattern.sides.at(edge), mesh.merged);
   mesh.mean_edge = mean_edge_length(pattern);
   mesh.name = spec.name, mesh.order = spec.order;
+  mesh.fit = tube_fit(spec);
   return mesh;
 }
 

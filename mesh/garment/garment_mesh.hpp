@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/body/limb.hpp"
+#include "mesh/garment/garment_fit.hpp"
 
 namespace snug::mesh {
 
@@ -27,13 +28,17 @@ struct GarmentMesh {
   double stand_off = 0.0;
   /// 2: quadratic triangles. 1: linear triangles, for comparison: mid-edge nodes carry no unknowns and follow their edge.
   int order = 2;
+  GarmentFit fit = {};
 };
 
-/// Meshes the pattern with gmsh (irregular triangles, equal divisions along both sides of a seam) and wraps it round
+/// Of a garment that is a tube.
+GarmentFit tube_fit(const input::GarmentSpec& spec);
+
+/// Meshes a tube with gmsh (irregular triangles, equal divisions along both sides of the seam) and wraps it round
 /// the limb with its seam at the inner side (turn 0.5), lifted to `lift` off the skin along its normal. Edges are about
 /// `worn_size` (m) on the garment as it is worn, stretched round the limb, or `spec.cell_size` on the pattern where the
 /// case gives one. At heights where it is longer than the skin so lifted it is placed at its own size instead, on the curve
 /// parallel to the skin that is as long. Throws input::InputError when the garment does not fit between the cut planes or a size is not positive.
-GarmentMesh make_garment_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift = 2e-4);
+GarmentMesh make_tube_mesh(const input::GarmentSpec& spec, const Limb& limb, double worn_size, double lift = 2e-4);
 
 }  // namespace snug::mesh

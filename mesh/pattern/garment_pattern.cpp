@@ -153,6 +153,31 @@ double ease(double one_side, double other_side) {
   return shorter > 0.0 ? std::max(one_side, other_side) / shorter - 1.0 : 0.0;
 }
 
+Pattern selected(const Pattern& pattern, const std::vector<std::string>& pieces, const Location& where) {
+  std::vector<std::string> known;
+  for (const Piece& piece : pattern.pieces) known.push_back(piece.name);
+  Diagnostics diagnostics;
+  Pattern result = pattern;
+  result.pieces.clear(), result.seams.clear(), result.hems.clear();
+  std::vector<int> number(pattern.pieces.size(), -1);
+  for (std::size_t p = 0; p < pattern.pieces.size(); ++p)
+    if (std::find(pieces.begin(), pieces.end(), known[p]) != pieces.end())
+      number[p] = static_cast<int>(result.pieces.size()), result.pieces.push_back(pattern.pieces[p]);
+  for (const std::string& name : pieces)
+    if (pattern.find(name) < 0) diagnostics.error(where, fmt::format("\"{}\" is no piece of {}", name, pattern.file), input::did_you_mean(name, known));
+  diagnostics.throw_if_any();
+  const auto renumbered = [&](EdgeChain chain) -> std::optional<EdgeChain> {
+    for (EdgePart& part : chain)
+      if ((part.piece = number[part.piece]) < 0) return std::nullopt;
+    return chain;
+  };
+  for (Seam seam : pattern.seams)
+    if (const auto a = renumbered(seam.a), b = renumbered(seam.b); a && b) seam.a = *a, seam.b = *b, result.seams.push_back(seam);
+  for (Hem hem : pattern.hems)
+    if (const auto edges = renumbered(hem.edges)) hem.edges = *edges, result.hems.push_back(hem);
+  return result;
+}
+
 Pattern graded(const Pattern& pattern, double girth, double length) {
   Pattern result = pattern;
   for (Piece& piece : result.pieces) {

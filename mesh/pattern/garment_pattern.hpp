@@ -72,4 +72,8 @@ double ease(double one_side, double other_side);
 /// `length`; a place that the file gives moves along. Seams may need other eases then: check again.
 Pattern graded(const Pattern& pattern, double girth, double length);
 
+/// The pieces of these names with the seams and hems between them: what the other pieces were sewn to stays open. Throws
+/// input::InputError at `where` for a name that is none.
+Pattern selected(const Pattern& pattern, const std::vector<std::string>& pieces, const input::Location& where);
+
 }  // namespace snug::mesh

@@ -22,6 +22,7 @@ class DividedBorder {
   DividedBorder(const CheckedPattern& checked, double cell_size) : pattern_(checked.pattern), sewing_(checked.sewing) {
     for (std::size_t s = 0; s < sewing_.stretches.size(); ++s)
       divisions_.push_back(divisions(static_cast<int>(s), cell_size));
+    for (const OpenLoop& loop : sewing_.open) open_at_least_three(loop);
     for (const Stretch& stretch : sewing_.stretches) add(stretch);
     same_ = merged();
   }
@@ -61,6 +62,14 @@ class DividedBorder {
       closed = closed || closes(sewing_.stretches[stretch.partner]);
     }
     return std::max(closed ? 3 : 1, static_cast<int>(std::lround(std::min(longest / cell_size, 1e6))));
+  }
+
+  /// Two sides of triangles that go to and fro would look like a seam.
+  void open_at_least_three(const OpenLoop& loop) {
+    int count = 0;
+    for (const int s : loop.stretches) count += divisions_[s];
+    if (count < 3)
+      for (const int s : loop.stretches) divisions_[s] = 3;
   }
 
   void add(const Stretch& stretch) {

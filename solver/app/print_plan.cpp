@@ -47,14 +47,11 @@ std::string girths_text(const mesh::Limb& limb) {
 }
 
 /// The garment against the mean girth it covers, as placed.
-std::string ease_text(const PreparedCase& prepared, const input::GarmentSpec& spec) {
-  constexpr int rows = 33;
-  double girth = 0.0;
-  for (int i = 0; i < rows; ++i)
-    girth += prepared.meshes.limb.girth(spec.position + spec.pattern.length * i / (rows - 1.0)) / rows;
-  const double ease = spec.pattern.flat_circumference / girth - 1.0;
+std::string ease_text(const PreparedCase& prepared, const mesh::GarmentMesh& garment) {
+  const mesh::MeanFit mean = mesh::mean_fit(garment.fit, prepared.meshes.limb);
+  const double ease = mean.garment_girth / mean.body_girth - 1.0;
   return fmt::format("  {}: {:.0f} mm round as cut on a mean girth of {:.0f} mm, {:.1f} % {}\n",
-                     spec.name, spec.pattern.flat_circumference * 1e3, girth * 1e3, std::abs(ease) * 100.0,
+                     garment.name, mean.garment_girth * 1e3, mean.body_girth * 1e3, std::abs(ease) * 100.0,
                      ease < 0.0 ? "smaller" : "larger");
 }
 
@@ -72,7 +69,7 @@ std::string quality_text(const PreparedCase& prepared) {
     const mesh::GarmentMesh& garment = prepared.meshes.garments[g];
     text += fmt::format("  {}: {} {} triangles, mean edge {:.1f} mm\n", garment.name, garment.triangles.size(),
                         garment.order == 2 ? "quadratic" : "linear", garment.mean_edge * 1e3) +
-            ease_text(prepared, prepared.description.garments[g]);
+            ease_text(prepared, garment);
   }
   return text;
 }

@@ -19,13 +19,14 @@ constexpr double torn = 0.2, tent = 6.0;
 
 class Checks {
  public:
-  Checks(const Model& model, const Meshes& meshes) : model_(model), case_(model.asked), meshes_(meshes) {}
+  Checks(const Model& model, const Meshes& meshes, const std::vector<mesh::GarmentFit>& fits)
+      : model_(model), case_(model.asked), meshes_(meshes), fits_(fits) {}
 
   std::vector<Diagnostic> operator()() {
     if (case_.body && case_.body->kind != input::BodyKind::stations) check_size();
     if (case_.body && case_.body->kind == input::BodyKind::scan) check_shape();
     if (meshes_.limb.skin)
-      for (const input::GarmentSpec& garment : case_.garments) check_fit(garment);
+      for (std::size_t g = 0; g < fits_.size(); ++g) check_fit(case_.garments[g], fits_[g]);
     for (const GarmentModel& garment : model_.garments) check_fabric(garment.fabric, garment.spec.fabric.where);
     errors_.throw_if_any();
     return std::move(warnings_);
@@ -68,16 +69,15 @@ class Checks {
         "is the limb cut along instead of across? programs of clothes and animation write files with up = \"y\"");
   }
 
-  void check_fit(const input::GarmentSpec& garment) {
-    const double cut = garment.pattern.flat_circumference;
-    if (!(cut > 0.0) || !(garment.pattern.length > 0.0)) return;
-    constexpr int rows = 9;
-    double girth = 0.0;
-    for (int i = 0; i < rows; ++i) girth += meshes_.limb.girth(garment.position + garment.pattern.length * i / (rows - 1.0)) / rows;
+  void check_fit(const input::GarmentSpec& garment, const mesh::GarmentFit& fit) {
+    const mesh::MeanFit mean = mesh::mean_fit(fit, meshes_.limb);
+    const double cut = mean.garment_girth, girth = mean.body_girth;
+    if (!(cut > 0.0) || !(fit.length() > 0.0)) return;
     const double ratio = cut / girth;
+    const std::string key = garment.pattern.sewn() ? "the pattern's unit" : "flat_circumference";
     if (ratio >= tight && ratio <= loose) return;
     const auto close = [&](double factor) { return ratio * factor > 0.45 && ratio * factor < 1.3; };
-    std::string remedy = ratio < 1.0 ? "no fabric stretches so far: look at flat_circumference and the girths" : "look at flat_circumference and the girths";
+    std::string remedy = ratio < 1.0 ? "no fabric stretches so far: look at " + key + " and the girths" : "look at " + key + " and the girths";
     for (const auto& [factor, text] : {std::pair{10.0, "mm written for cm, or a digit too few"}, std::pair{0.1, "cm written for mm, or a digit too many"},
                                        std::pair{25.4, "mm written for inches"}, std::pair{2.0 * std::numbers::pi, "the radius instead of the circumference"},
                                        std::pair{std::numbers::pi, "the diameter instead of the circumference"}, std::pair{1.0 / std::numbers::pi, "pi too much"}})
@@ -106,12 +106,15 @@ class Checks {
   const Model& model_;
   const input::Case& case_;
   const Meshes& meshes_;
+  const std::vector<mesh::GarmentFit>& fits_;
   input::Diagnostics errors_;
   std::vector<Diagnostic> warnings_;
 };
 
 }  // namespace
 
-std::vector<Diagnostic> implausible(const Model& model, const Meshes& meshes) { return Checks(model, meshes)(); }
+std::vector<Diagnostic> implausible(const Model& model, const Meshes& meshes, const std::vector<mesh::GarmentFit>& fits) {
+  return Checks(model, meshes, fits)();
+}
 
 }  // namespace snug::solver

@@ -29,12 +29,12 @@ class Stopwatch {
 };
 
 /// The part of an imported body that the garments are placed on, with a cell's margin.
-mesh::Limb limb_below(const std::vector<input::GarmentSpec>& garments, const mesh::BodyMesh& body) {
+mesh::Limb limb_below(const std::vector<mesh::GarmentCut>& cuts, const mesh::BodyMesh& body) {
   const double margin = body.mean_skin_cell;
   double low = std::numeric_limits<double>::max(), high = -low;
-  for (const input::GarmentSpec& garment : garments)
-    low = std::min(low, garment.position - margin), high = std::max(high, garment.position + garment.pattern.length + margin);
-  return mesh::limb_from_skin(body, low, high, garments.front().where);
+  for (const mesh::GarmentCut& cut : cuts)
+    low = std::min(low, cut.spec.position - margin), high = std::max(high, cut.spec.position + mesh::rise_of(cut) + margin);
+  return mesh::limb_from_skin(body, low, high, cuts.front().spec.where);
 }
 
 /// An imported body may bring its loads along; a case without any would only say so after the solve.
@@ -62,7 +62,7 @@ void check_skin(const input::Case& description, const mesh::BodyMesh& body) {
                           fmt::format("name the physical surface so; its surfaces are: {}", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, double memory_limit) {
+Meshes make_body(const input::Case& description, const std::vector<mesh::GarmentCut>& cuts, const mesh::GmshOptions& gmsh, double memory_limit) {
   Meshes meshes;
   if (!description.body) return meshes;
   if (description.body->kind == input::BodyKind::imported) {
@@ -70,7 +70,7 @@ Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, 
     meshes.body = model ? mesh::import_model(*description.body, description.directory) : mesh::import_body_mesh(*description.body, gmsh);
     check_that_something_acts(description, meshes.body);
     check_skin(description, meshes.body);
-    if (!description.garments.empty()) meshes.limb = limb_below(description.garments, meshes.body);
+    if (!cuts.empty()) meshes.limb = limb_below(cuts, meshes.body);
   } else {
     refuse_large_body(description, memory_limit);
     meshes.limb = mesh::make_limb(*description.body);
@@ -79,21 +79,37 @@ Meshes make_body(const input::Case& description, const mesh::GmshOptions& gmsh, 
   return meshes;
 }
 
+/// The patterns that the garments name; what a pattern says of its fabric is taken where the garment says nothing.
+std::vector<mesh::GarmentCut> read_cuts(input::Case& description) {
+  std::vector<mesh::GarmentCut> cuts;
+  for (input::GarmentSpec& garment : description.garments) {
+    cuts.push_back(mesh::read_cut(garment));
+    garment.fabric = cuts.back().spec.fabric;
+  }
+  return cuts;
+}
+
 /// Sizes of the garments' cells; garments with more of them than the machine can hold are refused.
-std::vector<double> garment_cell_sizes(const Model& model, double memory_limit, const Meshes& meshes) {
+std::vector<double> garment_cell_sizes(const PreparedCase& prepared, const std::vector<mesh::GarmentCut>& cuts, const std::vector<mesh::GarmentFit>& fits) {
   std::vector<double> sizes;
-  for (std::size_t g = 0; g < model.garments.size(); ++g) {
-    const input::GarmentSpec& spec = model.garments[g].spec;
-    sizes.push_back(worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body));
-    refuse_large_garment(spec, spec.cell_size > 0.0 ? spec.cell_size : sizes.back(), memory_limit);
+  for (std::size_t g = 0; g < cuts.size(); ++g) {
+    sizes.push_back(worn_cell_size(prepared.model, static_cast<int>(g), fits[g], prepared.meshes.limb, prepared.meshes.body));
+    refuse_large_garment(cuts[g], cuts[g].spec.cell_size > 0.0 ? cuts[g].spec.cell_size : sizes.back(), prepared.memory_limit);
   }
   return sizes;
 }
 
-std::vector<input::Diagnostic> warnings_of(const PreparedCase& prepared) {
-  std::vector<input::Diagnostic> warnings = prepared.meshes.body.remarks;
-  for (const auto& more : {prepared.meshes.limb.remarks, implausible(prepared.model, prepared.meshes)}) warnings.insert(warnings.end(), more.begin(), more.end());
-  return warnings;
+void mesh_garments(const std::vector<mesh::GarmentCut>& cuts, PreparedCase& prepared) {
+  std::vector<mesh::GarmentFit> fits;
+  for (const mesh::GarmentCut& cut : cuts) fits.push_back(mesh::placed_fit(cut, prepared.meshes.limb));
+  const std::vector<double> cell_sizes = garment_cell_sizes(prepared, cuts, fits);
+  std::vector<input::Diagnostic>& warnings = prepared.warnings = prepared.meshes.body.remarks;
+  const auto add = [&](const std::vector<input::Diagnostic>& more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
+  add(prepared.meshes.limb.remarks), add(implausible(prepared.model, prepared.meshes, fits));
+  for (std::size_t g = 0; g < cuts.size(); ++g) {
+    if (cuts[g].pattern) add(cuts[g].pattern->warnings);
+    prepared.meshes.garments.push_back(mesh::make_garment_mesh(cuts[g], prepared.meshes.limb, cell_sizes[g]));
+  }
 }
 
 std::string place_text(const input::Location& where) {
@@ -106,18 +122,16 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   PreparedCase prepared;
   const Stopwatch reading;
   prepared.description = input::read_case(directory, options.reading);
+  const std::vector<mesh::GarmentCut> cuts = read_cuts(prepared.description);
   resolve_materials(prepared.description, options.library);
   make_model(prepared.description);  // names that are wrong should be said before minutes of meshing
   if (prepared.description.comfort) postproc::load_evidence(*prepared.description.comfort, prepared.description.directory);
   prepared.phases.push_back({"reading", reading.seconds()});
   const Stopwatch meshing;
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
-  prepared.meshes = make_body(prepared.description, options.gmsh, prepared.memory_limit);
+  prepared.meshes = make_body(prepared.description, cuts, options.gmsh, prepared.memory_limit);
   prepared.model = make_model(prepared.description, prepared.meshes.body);
-  const std::vector<double> cell_sizes = garment_cell_sizes(prepared.model, prepared.memory_limit, prepared.meshes);
-  prepared.warnings = warnings_of(prepared);
-  for (std::size_t g = 0; g < cell_sizes.size(); ++g)
-    prepared.meshes.garments.push_back(mesh::make_garment_mesh(prepared.model.garments[g].spec, prepared.meshes.limb, cell_sizes[g]));
+  mesh_garments(cuts, prepared);
   prepared.quality = mesh::quality(prepared.meshes.body);
   prepared.phases.push_back({"meshing", meshing.seconds()});
   return prepared;

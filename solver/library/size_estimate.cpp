@@ -74,16 +74,16 @@ void refuse_large_body(const input::Case& description, double limit) {
                                       std::floor(factor * around), std::floor(factor * along), std::max(1.0, std::floor(factor * through))));
 }
 
-void refuse_large_garment(const input::GarmentSpec& garment, double cell_size, double limit) {
-  const double area = garment.pattern.flat_circumference * garment.pattern.length;
-  const double sides = (2.0 * garment.pattern.flat_circumference + 2.0 * garment.pattern.length) / cell_size;
+void refuse_large_garment(const mesh::GarmentCut& garment, double cell_size, double limit) {
+  const auto [area, border] = mesh::size_of(garment);
+  const double sides = border / cell_size;
   const double triangles = area / (0.433 * cell_size * cell_size) + sides;  // equilateral, and at least one at each edge of the rim
-  const double unknowns = 3.0 * triangles * (garment.order == 2 ? 2.0 : 0.5);
+  const double unknowns = 3.0 * triangles * (garment.spec.order == 2 ? 2.0 : 0.5);
   const double bytes = triangles * meshing_triangle + memory_of_run(unknowns, 0.0);
   if (bytes <= limit) return;
-  throw input::InputError(garment.where,
-                          fmt::format("a pattern of {:.4g} m x {:.4g} m in triangles of {:.3g} mm has about {:.2g} of them, which take about {}; there are {}",
-                                      garment.pattern.flat_circumference, garment.pattern.length, 1e3 * cell_size, triangles, gigabytes(bytes), gigabytes(limit)),
+  throw input::InputError(garment.spec.where,
+                          fmt::format("a pattern of {:.4g} m2 in triangles of {:.3g} mm has about {:.2g} of them, which take about {}; there are {}",
+                                      area, 1e3 * cell_size, triangles, gigabytes(bytes), gigabytes(limit)),
                           fmt::format("about cell_size = \"{:.3g} mm\" fits; see whether the measures are those that were meant",
                                       1e3 * cell_size * std::max(std::sqrt(bytes / limit), triangles > 0.0 ? bytes / limit * sides / triangles : 1.0)));
 }

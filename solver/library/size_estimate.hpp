@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cases/input/case.hpp"
+#include "mesh/garment/garment_cut.hpp"
 #include "solver/scene/run.hpp"
 
 namespace snug::solver {
@@ -18,7 +19,7 @@ int usual_ranks(const input::Case& description, unsigned cores, double memory);
 /// numbers of cells that would fit when it is over `limit` (bytes).
 void refuse_large_body(const input::Case& description, double limit);
 /// Triangles of the pattern with edges of `cell_size` (m). Throws input::InputError with a cell size that would fit.
-void refuse_large_garment(const input::GarmentSpec& garment, double cell_size, double limit);
+void refuse_large_garment(const mesh::GarmentCut& garment, double cell_size, double limit);
 /// The meshed case, of an imported body too. Throws input::InputError.
 void refuse_large_plan(const solver::Plan& plan, double limit, const input::Case& description);
 

@@ -87,19 +87,22 @@ void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMes
 }  // namespace
 
 std::string probe_edge(const mesh::GarmentMesh& garment) {
-  const auto width = [&](const std::string& name) {
-    const auto& edge = garment.edges.at(name);
+  const auto width = [&](const std::vector<int>& edge) {
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     for (const int node : edge) centre += garment.placed[node] / static_cast<double>(edge.size());
     double sum = 0.0;
     for (const int node : edge) sum += (garment.placed[node] - centre).norm();
     return sum / static_cast<double>(edge.size());
   };
-  return width("lower") > (1.0 + 1e-6) * width("upper") ? "lower" : "upper";
+  std::string widest;
+  double most = 0.0;
+  for (auto it = garment.edges.rbegin(); it != garment.edges.rend(); ++it)  // "upper" before "lower" where both are as wide
+    if (const double found = width(it->second); widest.empty() || found > (1.0 + 1e-6) * most) widest = it->first, most = found;
+  return widest;
 }
 
 TurnPin turn_pin(const mesh::GarmentMesh& garment) {
-  const auto& edge = garment.edges.at("upper");
+  const auto& edge = garment.edges.rbegin()->second;  // "upper" of a tube
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int node : edge) centre += garment.placed[node] / static_cast<double>(edge.size());
   const int seam = *std::min_element(edge.begin(), edge.end(), [&](int a, int b) {

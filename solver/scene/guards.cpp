@@ -225,22 +225,15 @@ class Guards {
     return place(bare, [&](std::size_t t) { return bare(t) ? 1.0 : 0.0; });
   }
 
-  /// Of a garment as placed, round the limb between its edges.
-  double mean_girth(const input::GarmentSpec& garment) const {
-    constexpr int rows = 32;
-    double girth = 0.0;
-    for (int i = 0; i < rows; ++i) girth += meshes_.limb.girth(garment.position + garment.pattern.length * (i + 0.5) / rows) / rows;
-    return girth;
-  }
-
   /// Between the placed garments' area and the same with the contraction that stretch round the limb brings along.
   void look_at_area(bool said) {
     double placed = 0.0, contracted = 0.0;
-    for (const GarmentModel& model : model_.garments) {
-      const double girth = mean_girth(model.spec), stretch = girth / model.spec.pattern.flat_circumference, area = girth * model.spec.pattern.length;
-      const bool along = model.spec.warp == input::WarpDirection::along;
-      placed += area;
-      contracted += area * natural_stretch(along ? model.fabric.warp : model.fabric.weft, model.fabric.coupling, stretch);
+    for (std::size_t g = 0; g < model_.garments.size(); ++g) {
+      const materials::Fabric& fabric = model_.garments[g].fabric;
+      const mesh::GarmentFit& fit = meshes_.garments[g].fit;
+      const mesh::MeanFit mean = mesh::mean_fit(fit, meshes_.limb);
+      placed += mean.area;
+      contracted += mean.area * natural_stretch(fit.warp_along ? fabric.warp : fabric.weft, fabric.coupling, mean.stretch);
     }
     const double contraction = contracted / placed;
     const double found = number("contact_area_over_expected") = touching(false) / placed;
@@ -270,7 +263,7 @@ class Guards {
 
   void look_at_laplace() {
     const auto mean = result_.numbers.find("mean_contact_pressure_Pa");
-    const double given = give(), expected = laplace_pressure(model_.garments, meshes_.limb, meshes_.body, given).mean;
+    const double given = give(), expected = laplace_pressure(model_.garments, meshes_, given).mean;
     if (mean == result_.numbers.end() || !(expected > 0.0)) return;
     const double found = number("mean_pressure_over_laplace") = mean->second / expected;
     if (found < far_from_laplace && found > 1.0 / far_from_laplace) return;

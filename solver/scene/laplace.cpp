@@ -50,21 +50,21 @@ double mean(const LaplacePressure& laplace, const mesh::BodyMesh& body) {
 
 }  // namespace
 
-LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
-                                 const mesh::Limb& limb, const mesh::BodyMesh& body, double give) {
+LaplacePressure laplace_pressure(const mesh::GarmentFit& fit, const materials::Fabric& fabric, const mesh::Limb& limb,
+                                 const mesh::BodyMesh& body, double give) {
   LaplacePressure result;
   result.pressure.assign(body.nodes.size(), 0.0);
   result.covered.assign(body.nodes.size(), 0);
+  if (fit.rows.empty()) return result;
   std::map<double, Eigen::Vector2d> tension_at;  // of a height, which many nodes share
-  const double lower = garment.position, upper = garment.position + garment.pattern.length;
   for (const auto& facet : body.skin_facets)
     for (const int node : facet) {
       if (node < 0) continue;
       const Eigen::Vector3d& x = body.nodes[node];
-      if (result.covered[node] || x.z() < lower - 1e-9 || x.z() > upper + 1e-9) continue;
+      if (result.covered[node] || x.z() < fit.lower - 1e-9 || x.z() > fit.upper + 1e-9) continue;
       auto [it, fresh] = tension_at.try_emplace(x.z());
       if (fresh)
-        it->second = tensions(fabric, garment.warp == input::WarpDirection::along, (1.0 - give) * limb.girth(x.z()) / garment.pattern.flat_circumference);
+        it->second = tensions(fabric, fit.warp_along, (1.0 - give) * limb.girth(x.z()) / fit.girth_at(x.z()));
       result.covered[node] = 1;
       result.pressure[node] = std::max(0.0, it->second.dot(Eigen::Vector2d(1.0 / (1.0 - give), 1.0).cwiseProduct(limb.skin_curvature(turn_of(limb, x), x.z()))));
     }
@@ -72,13 +72,13 @@ LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materi
   return result;
 }
 
-LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const mesh::Limb& limb, const mesh::BodyMesh& body,
-                                 double give) {
+LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const Meshes& meshes, double give) {
+  const mesh::BodyMesh& body = meshes.body;
   LaplacePressure all;
   all.pressure.assign(body.nodes.size(), 0.0);
   all.covered.assign(body.nodes.size(), 0);
-  for (const GarmentModel& garment : garments) {
-    const LaplacePressure one = laplace_pressure(garment.spec, garment.fabric, limb, body, give);
+  for (std::size_t g = 0; g < garments.size(); ++g) {
+    const LaplacePressure one = laplace_pressure(meshes.garments[g].fit, garments[g].fabric, meshes.limb, body, give);
     for (std::size_t n = 0; n < body.nodes.size(); ++n)
       if (one.covered[n]) all.covered[n] = 1, all.pressure[n] += one.pressure[n];
   }

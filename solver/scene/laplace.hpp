@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "mesh/garment/garment_fit.hpp"
 #include "solver/scene/model.hpp"
+#include "solver/scene/run.hpp"
 
 namespace snug::solver {
 
@@ -16,10 +18,9 @@ struct LaplacePressure {
 
 /// The garment is taken as axially held (axial stretch 1) and stretched to the girth at each height, sliding freely. `give`: the
 /// share by which the body gives way under it; girths are that much smaller and curvatures around larger.
-LaplacePressure laplace_pressure(const input::GarmentSpec& garment, const materials::Fabric& fabric,
-                                 const mesh::Limb& limb, const mesh::BodyMesh& body, double give = 0.0);
+LaplacePressure laplace_pressure(const mesh::GarmentFit& fit, const materials::Fabric& fabric, const mesh::Limb& limb,
+                                 const mesh::BodyMesh& body, double give = 0.0);
 /// Of all garments together: where several cover the skin their pressures add up.
-LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const mesh::Limb& limb, const mesh::BodyMesh& body,
-                                 double give = 0.0);
+LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const Meshes& meshes, double give = 0.0);
 
 }  // namespace snug::solver

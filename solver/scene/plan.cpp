@@ -121,12 +121,11 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
 }
 
 // Garments that lie over one another touch the skin, not each other: thin cloth passes on what presses on it.
-void list_overlaps(const Model& model, Plan& plan) {
+void list_overlaps(const Model& model, const Meshes& meshes, Plan& plan) {
   for (std::size_t a = 0; a < model.garments.size(); ++a)
     for (std::size_t b = a + 1; b < model.garments.size(); ++b) {
-      const input::GarmentSpec &one = model.garments[a].spec, &other = model.garments[b].spec;
-      const double low = std::max(one.position, other.position);
-      const double high = std::min(one.position + one.pattern.length, other.position + other.pattern.length);
+      const mesh::GarmentMesh &one = meshes.garments[a], &other = meshes.garments[b];
+      const double low = std::max(one.fit.lower, other.fit.lower), high = std::min(one.fit.upper, other.fit.upper);
       if (high > low)
         plan.parts_out.push_back(fmt::format("contact of {} with {}: not available yet; over one another at heights {:.0f} to {:.0f} mm, each touches "
                                              "the skin alone and their pressures add up",
@@ -138,7 +137,7 @@ void list_garments(const Model& model, const Meshes& meshes, Plan& plan) {
   if (model.garments.empty()) plan.parts_out.push_back("garment: no [garment] in the case");
   if (model.garments.empty() && model.contacts.empty()) plan.parts_out.push_back("contact: no garment");
   for (std::size_t g = 0; g < model.garments.size(); ++g) list_garment(model, static_cast<int>(g), meshes, plan);
-  list_overlaps(model, plan);
+  list_overlaps(model, meshes, plan);
   for (const ContactModel& contact : model.contacts)
     if (contact.garment < 0) list_contact(&contact, plan);
 }
@@ -176,9 +175,9 @@ void list_free_motions(const Model& model, const Meshes& meshes, Plan& plan) {
 
 // Whether a garment presses harder than the softest tissue is stiff (law of Laplace).
 bool presses_hard(const Model& model, const Meshes& meshes) {
-  return std::any_of(model.garments.begin(), model.garments.end(), [&](const GarmentModel& garment) {
-    return laplace_pressure(garment.spec, garment.fabric, meshes.limb, meshes.body).mean > softest_shear_modulus(model);
-  });
+  for (std::size_t g = 0; g < model.garments.size(); ++g)
+    if (laplace_pressure(meshes.garments[g].fit, model.garments[g].fabric, meshes.limb, meshes.body).mean > softest_shear_modulus(model)) return true;
+  return false;
 }
 
 bool bends(const Model& model, const Meshes& meshes) {

@@ -62,6 +62,14 @@ std::string edge_of(bool alone, const std::string& garment, const std::string& e
   return alone ? edge : garment + ", " + edge;
 }
 
+/// Names of edges; what an edge that is a part of another one has is its own.
+std::vector<std::string> shortest_first(const std::map<std::string, std::vector<int>>& edges) {
+  std::vector<std::string> names;
+  for (const auto& [name, nodes] : edges) names.push_back(name);
+  std::stable_sort(names.begin(), names.end(), [&](const auto& a, const auto& b) { return edges.at(a).size() < edges.at(b).size(); });
+  return names;
+}
+
 // Sides of triangles whose mid-edge node is a node of the edge; `first` node of the garment in the result.
 void add_named_edges(const mesh::GarmentMesh& mesh, bool alone, int garment, int first, std::vector<postproc::GarmentEdge>& edges) {
   for (const auto& [name, nodes] : mesh.edges) {
@@ -159,13 +167,16 @@ void fill_reactions(const Scene& scene, const State& state, const std::vector<me
     }
     note(table.holders()[h].name, sum);
   }
-  for (const mesh::GarmentMesh& garment : garments)
-    for (const auto& [name, nodes] : garment.edges) {
+  for (const mesh::GarmentMesh& garment : garments) {
+    std::set<int> seen;
+    for (const std::string& name : shortest_first(garment.edges)) {
       const Field& position = layout[garment.name];
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const int node : nodes) answer(position(node), holding_force(scene, residual, position(node)), sum);
+      for (const int node : garment.edges.at(name))
+        if (seen.insert(node).second) answer(position(node), holding_force(scene, residual, position(node)), sum);
       note(edge_of(garments.size() == 1, garment.name, name) + " edge", sum);
     }
+  }
   const Eigen::VectorXd load = scene.load_forces(state);
   for (int first = 0; first < layout.positions(); first += 3) {
     const Eigen::Vector3d force = load.segment<3>(first);

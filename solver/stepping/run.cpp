@@ -69,7 +69,7 @@ class Run {
   }
 
   void laplace() {
-    const LaplacePressure l0 = laplace_pressure(model_.garments, meshes_.limb, meshes_.body);
+    const LaplacePressure l0 = laplace_pressure(model_.garments, meshes_);
     result_.mean_laplace_pressure = l0.mean;
     if (!l0.pressure.empty()) result_.body.fields.set(postproc::field::laplace_pressure, l0.pressure);
     log_.phase("law of Laplace");

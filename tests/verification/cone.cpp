@@ -85,7 +85,7 @@ mesh::GarmentMesh sleeve(const input::Case& c, double cell) {
   mesh::Limb limb;
   limb.skin = std::make_unique<CircularOutline>();
   limb.lower = -0.01, limb.upper = rest_length + 0.01;
-  mesh::GarmentMesh mesh = mesh::make_garment_mesh(c.garments.front(), limb, cell, 0.0);
+  mesh::GarmentMesh mesh = mesh::make_tube_mesh(c.garments.front(), limb, cell, 0.0);
   for (std::size_t node = 0; node < mesh.placed.size(); ++node) {
     const Eigen::Vector3d& x = mesh.placed[node];
     mesh.placed[node] = on_cone(std::atan2(x.y(), x.x()), rest_length - mesh.pattern[node].y());

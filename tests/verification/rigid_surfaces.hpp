@@ -120,7 +120,7 @@ inline mesh::GarmentMesh wrap(const RigidCase& rigid, const input::Case& c, doub
   mesh::Limb limb;
   limb.skin = std::make_unique<CircularOutline>();
   limb.upper = half_length(rigid), limb.lower = -limb.upper;
-  mesh::GarmentMesh mesh = mesh::make_garment_mesh(c.garments.front(), limb, cell, 0.0);
+  mesh::GarmentMesh mesh = mesh::make_tube_mesh(c.garments.front(), limb, cell, 0.0);
   mesh.order = rigid.order;
   if (rigid.surface == Surface::sphere)
     for (Eigen::Vector3d& x : mesh.placed) x = on_surface(Surface::sphere, std::atan2(x.y(), x.x()), x.z());

@@ -70,8 +70,8 @@ inline solver::Meshes make_meshes(const input::Case& c) {
   meshes.body = mesh::make_body_mesh(*c.body, meshes.limb);
   const solver::Model model = solver::make_model(c, meshes.body);
   for (std::size_t g = 0; g < c.garments.size(); ++g)
-    meshes.garments.push_back(mesh::make_garment_mesh(
-        c.garments[g], meshes.limb, solver::worn_cell_size(model, static_cast<int>(g), meshes.limb, meshes.body)));
+    meshes.garments.push_back(mesh::make_tube_mesh(
+        c.garments[g], meshes.limb, solver::worn_cell_size(model, static_cast<int>(g), mesh::tube_fit(c.garments[g]), meshes.limb, meshes.body)));
   return meshes;
 }
 

@@ -92,7 +92,7 @@ TEST(FreeBore, ASleeveClosesItAsItsRowsSay) {
     sleeve.held = {{.edge = "upper", .held = input::HeldDirection::axis}, {.edge = "lower", .held = input::HeldDirection::axis}};
     mesh::Limb limb;
     limb.skin = std::make_unique<Round>(), limb.upper = length;
-    const mesh::GarmentMesh garment = mesh::make_garment_mesh(sleeve, limb, 0.5 * c.mesh.mean_skin_cell);
+    const mesh::GarmentMesh garment = mesh::make_tube_mesh(sleeve, limb, 0.5 * c.mesh.mean_skin_cell);
     solver::Scene scene = tests::make_scene(c.c, c.mesh, garment, solver::Skin::deformable);
     solver::PathSettings settings;
     settings.newton.penetration = 1e-6 * garment.mean_edge;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double cell = 0.015;
 
-GarmentMesh sleeve(const Limb& limb) { return make_garment_mesh(tube_spec(), limb, cell); }
+GarmentMesh sleeve(const Limb& limb) { return make_tube_mesh(tube_spec(), limb, cell); }
 
 TEST(GarmentMesh, SeamNodesPairExactlyInPatternAndSpace) {
   const GarmentMesh mesh = sleeve(ellipse());
@@ -68,7 +68,7 @@ TEST(GarmentMesh, CellsAreAsFineAsAskedForOnTheWornGarment) {
   const double girth = limb.girth(0.1);
   input::GarmentSpec spec = tube_spec();
   spec.pattern.flat_circumference = 0.5 * girth;
-  const auto cells_round = [&] { return static_cast<double>(make_garment_mesh(spec, limb, cell).edges.at("lower").size()) / 2.0; };
+  const auto cells_round = [&] { return static_cast<double>(make_tube_mesh(spec, limb, cell).edges.at("lower").size()) / 2.0; };
   EXPECT_NEAR(cells_round(), girth / cell, 1.0);
   spec.cell_size = cell;
   EXPECT_NEAR(cells_round(), 0.5 * girth / cell, 1.0);
@@ -96,12 +96,12 @@ TEST(GarmentMesh, NodesStandTheLiftOffTheSkinAtEqualArcLengths) {
 TEST(GarmentMesh, WiderThanTheLimbItIsPlacedAtItsOwnSize) {
   // On a circle: a circle of its own circumference. On an ellipse: the parallel curve of that length, evenly divided.
   const double width = 0.36;
-  const GarmentMesh round = make_garment_mesh(tube_spec(width), cylinder(), cell);
+  const GarmentMesh round = make_tube_mesh(tube_spec(width), cylinder(), cell);
   const double radius = width / (2.0 * std::numbers::pi);
   for (const Eigen::Vector3d& x : round.placed) EXPECT_NEAR(x.head<2>().norm(), radius, 1e-9);
   EXPECT_NEAR(round.stand_off, radius - 0.05, 1e-9);
   const Limb limb = ellipse();
-  const GarmentMesh oval = make_garment_mesh(tube_spec(width), limb, cell);
+  const GarmentMesh oval = make_tube_mesh(tube_spec(width), limb, cell);
   EXPECT_NEAR(oval.stand_off, (width - limb.girth(0.14)) / (2.0 * std::numbers::pi), 1e-9);
   for (const auto& t : oval.triangles)  // chords of straight and even pieces: as long as the pattern says, and no longer
     for (int k = 0; k < 3; ++k) {
@@ -111,7 +111,7 @@ TEST(GarmentMesh, WiderThanTheLimbItIsPlacedAtItsOwnSize) {
       EXPECT_GT(stands, 0.97 * flat);
     }
   EXPECT_EQ(sleeve(cylinder()).stand_off, 0.0);
-  EXPECT_EQ(make_garment_mesh(tube_spec(0.1 * std::numbers::pi), cylinder(), cell).stand_off, 0.0);  // just as wide
+  EXPECT_EQ(make_tube_mesh(tube_spec(0.1 * std::numbers::pi), cylinder(), cell).stand_off, 0.0);  // just as wide
 }
 
 TEST(GarmentMesh, ASewnTubeHasTheEulerNumberOfATube) {
@@ -146,25 +146,25 @@ TEST(GarmentMesh, EdgesListEachSewnNodeOnceWithMidNodes) {
 
 TEST(GarmentMesh, TheWarpFollowsThePattern) {
   auto spec = tube_spec();
-  EXPECT_EQ(make_garment_mesh(spec, cylinder(), cell).warp.at(0), Eigen::Vector2d(0, 1));
+  EXPECT_EQ(make_tube_mesh(spec, cylinder(), cell).warp.at(0), Eigen::Vector2d(0, 1));
   spec.warp = input::WarpDirection::around;
-  EXPECT_EQ(make_garment_mesh(spec, cylinder(), cell).warp.at(0), Eigen::Vector2d(1, 0));
+  EXPECT_EQ(make_tube_mesh(spec, cylinder(), cell).warp.at(0), Eigen::Vector2d(1, 0));
 }
 
 TEST(GarmentMesh, AGarmentThatDoesNotFitIsRefused) {
-  EXPECT_THROW(make_garment_mesh(tube_spec(0.28, 0.06, 0.15), cylinder(), cell), input::InputError);
-  EXPECT_THROW(make_garment_mesh(tube_spec(0.28, 0.06, -0.01), cylinder(), cell), input::InputError);
-  EXPECT_THROW(make_garment_mesh(tube_spec(0.0), cylinder(), cell), input::InputError);
-  EXPECT_THROW(make_garment_mesh(tube_spec(), cylinder(), 0.0), input::InputError);
-  EXPECT_NO_THROW(make_garment_mesh(tube_spec(0.28, 0.2, 0.0), cylinder(), cell));
+  EXPECT_THROW(make_tube_mesh(tube_spec(0.28, 0.06, 0.15), cylinder(), cell), input::InputError);
+  EXPECT_THROW(make_tube_mesh(tube_spec(0.28, 0.06, -0.01), cylinder(), cell), input::InputError);
+  EXPECT_THROW(make_tube_mesh(tube_spec(0.0), cylinder(), cell), input::InputError);
+  EXPECT_THROW(make_tube_mesh(tube_spec(), cylinder(), 0.0), input::InputError);
+  EXPECT_NO_THROW(make_tube_mesh(tube_spec(0.28, 0.2, 0.0), cylinder(), cell));
 }
 
 /// The seam lies at the angle that the case gives, and the whole mesh goes with it.
 TEST(GarmentMesh, TheSeamLiesWhereTheCaseSays) {
   input::GarmentSpec spec = tube_spec();
-  const GarmentMesh inner = make_garment_mesh(spec, cylinder(), cell);
+  const GarmentMesh inner = make_tube_mesh(spec, cylinder(), cell);
   spec.seam = 0.3;
-  const GarmentMesh side = make_garment_mesh(spec, cylinder(), cell);
+  const GarmentMesh side = make_tube_mesh(spec, cylinder(), cell);
   const Eigen::AngleAxisd turn(0.3 - std::numbers::pi, Eigen::Vector3d::UnitZ());
   int on_seam = 0;
   for (std::size_t n = 0; n < side.placed.size(); ++n) {
@@ -182,7 +182,7 @@ TEST(GarmentMesh, TheSeamOfAnEllipseLiesAtItsAngle) {
   for (const double angle : {0.3, 1.0, 2.0, 3.5, 5.0, 7.0, -1.0}) {
     input::GarmentSpec spec = tube_spec(0.3, 0.06, 0.05);
     spec.seam = angle;
-    const GarmentMesh mesh = make_garment_mesh(spec, limb, cell, 0.0);
+    const GarmentMesh mesh = make_tube_mesh(spec, limb, cell, 0.0);
     int on_seam = 0;
     for (std::size_t n = 0; n < mesh.placed.size(); ++n) {
       if (mesh.pattern[n].x() != 0.0) continue;

@@ -160,7 +160,7 @@ TEST(Scan, TheBodyMeshOfAScanIsSoundAndGarmentsFitIt) {
   for (const auto& row : quality(mesh)) EXPECT_GT(row.min_scaled_jacobian, 0.9);
   const double bone = 0.09 / (2 * pi);
   EXPECT_NEAR((quality(mesh)[0].volume + quality(mesh)[1].volume) / (pi * 0.2 * (0.0025 - bone * bone)), 1.0, 2e-3);
-  EXPECT_NO_THROW(make_garment_mesh(tube_spec(0.28, 0.1, 0.15), limb, 0.02));
+  EXPECT_NO_THROW(make_tube_mesh(tube_spec(0.28, 0.1, 0.15), limb, 0.02));
 }
 
 TEST(Scan, WrongScansAreRefusedWithARemedy) {

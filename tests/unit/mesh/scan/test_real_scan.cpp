@@ -62,7 +62,7 @@ TEST(RealScan, TheThighIsMeshedWithSoundCellsAndWearsASleeve) {
   const Limb limb = make_limb(spec);
   const BodyMesh mesh = make_body_mesh(spec, limb);
   for (const auto& row : quality(mesh)) EXPECT_GT(row.min_scaled_jacobian, 0.3) << row.layer;
-  const GarmentMesh sleeve = make_garment_mesh(tube_spec(0.42, 0.1, 0.58), limb, 0.015);
+  const GarmentMesh sleeve = make_tube_mesh(tube_spec(0.42, 0.1, 0.58), limb, 0.015);
   EXPECT_GT(sleeve.triangles.size(), 100u);
 }
 

@@ -1,0 +1,37 @@
+// What a garment is cut from: a tube, or the pieces of a sewing pattern; and the mesh of it on a limb.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/garment/garment_mesh.hpp"
+#include "mesh/pattern/checks.hpp"
+
+namespace snug::mesh {
+
+struct GarmentCut {
+  input::GarmentSpec spec;
+  std::optional<CheckedPattern> pattern;  ///< none of a tube
+};
+
+/// Reads and checks the pattern that a garment names, in the size and with the pieces that it wants. Throws input::InputError.
+GarmentCut read_cut(const input::GarmentSpec& spec);
+
+struct CutSize {
+  double area = 0.0, border = 0.0;  ///< m2, m: of all pieces
+};
+CutSize size_of(const GarmentCut& cut);
+
+/// How far up it reaches from its lowest point, m, along the cloth.
+double rise_of(const GarmentCut& cut);
+
+/// How wide it is by height where it is placed; of a pattern with coarse cells. Throws as make_garment_mesh does.
+GarmentFit placed_fit(const GarmentCut& cut, const Limb& limb);
+
+/// A tube as make_tube_mesh has it; of a pattern the pieces meshed with edges of about `worn_size` as worn (`spec.cell_size` on
+/// the pattern where the case gives one), sewn, and placed as place_on_limb does. Open edges have the pattern's names; edges of pieces that the
+/// garment is held at ("front.waist") theirs. Throws input::InputError.
+GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift = 2e-4);
+
+}  // namespace snug::mesh

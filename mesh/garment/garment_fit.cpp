@@ -1,0 +1,34 @@
+#include "mesh/garment/garment_fit.hpp"
+
+#include <algorithm>
+
+namespace snug::mesh {
+
+FitRow GarmentFit::at(double height) const {
+  if (rows.empty()) return {};
+  const auto above = std::find_if(rows.begin(), rows.end(), [&](const FitRow& row) { return row.height > height; });
+  if (above == rows.begin()) return rows.front();
+  if (above == rows.end()) return rows.back();
+  const FitRow &a = *(above - 1), &b = *above;
+  const double t = (height - a.height) / (b.height - a.height);
+  return {height, a.girth + t * (b.girth - a.girth), a.cover + t * (b.cover - a.cover)};
+}
+
+MeanFit mean_fit(const GarmentFit& fit, const Limb& limb) {
+  constexpr int rows = 32;
+  MeanFit mean;
+  double share = 0.0;
+  for (int i = 0; i < rows; ++i) {
+    const double z = fit.lower + fit.length() * (i + 0.5) / rows;
+    const FitRow row = fit.at(z);
+    const double girth = limb.girth(z);
+    share += row.cover, mean.body_girth += row.cover * girth, mean.garment_girth += row.cover * row.girth;
+  }
+  if (!(share > 0.0)) return mean;
+  mean.area = mean.body_girth * fit.length() / rows;
+  mean.body_girth /= share, mean.garment_girth /= share;
+  mean.stretch = mean.garment_girth > 0.0 ? mean.body_girth / mean.garment_girth : 0.0;
+  return mean;
+}
+
+}  // namespace snug::mesh

@@ -1,0 +1,214 @@
+#include "mesh/garment/limb_placement.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/garment/limb_sheet.hpp"
+#include "mesh/garment/sliding.hpp"
+#include "mesh/garment/tube_chart.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+using input::InputError;
+
+constexpr double full_turn = 2.0 * std::numbers::pi;
+constexpr double least_start = 0.3, largest_start = 3.0;  // stretches from which the rest metric is reached (FabricMembrane)
+
+/// A place on the chart and the angle of the limb where it comes to lie.
+struct Facing {
+  double round, angle;
+};
+
+double circular_mean(const std::vector<double>& turns) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const double t : turns) sum += Eigen::Vector2d(std::cos(full_turn * t), std::sin(full_turn * t));
+  return std::atan2(sum.y(), sum.x()) / full_turn;
+}
+
+std::vector<double> rounds_of_pieces(const SewnMesh& sewn, const TubeChart& chart, const std::string& name) {
+  std::vector<double> result;
+  for (std::size_t t = 0; t < sewn.triangles.size(); ++t)
+    if (sewn.pieces[sewn.triangle_piece[t]].find(name) != std::string::npos)
+      for (int k = 0; k < 3; ++k) result.push_back(chart.round[sewn.merged[sewn.triangles[t][k]]]);
+  return result;
+}
+
+Facing facing(const SewnMesh& sewn, const TubeChart& chart, const std::optional<double>& seam) {
+  if (!seam)
+    for (const auto& [name, angle] : {std::pair{"front", 0.25}, std::pair{"back", 0.75}})
+      if (const std::vector<double> rounds = rounds_of_pieces(sewn, chart, name); !rounds.empty()) return {circular_mean(rounds), angle * full_turn};
+  std::vector<double> along;
+  if (!sewn.seams.empty())
+    for (std::size_t n = 0; n < sewn.seams.front().pairs.size(); n += 2)  // a mid-edge node is between two vertices
+      along.push_back(chart.round[sewn.merged[sewn.seams.front().pairs[n][0]]]);
+  return {along.empty() ? 0.0 : circular_mean(along), seam.value_or(std::numbers::pi)};
+}
+
+/// Widths by height: lengths on the flat pieces of the lines on which the vertices' heights are equal.
+std::vector<FitRow> rows_of(const SewnMesh& sewn, const std::vector<ChartPlace>& places, double lower, double upper) {
+  constexpr int count = 48;
+  std::vector<FitRow> rows(count);
+  std::vector<double> round(count, 0.0);
+  for (int r = 0; r < count; ++r) rows[r] = {lower + (upper - lower) * (r + 0.5) / count, 0.0, 0.0};
+  for (const auto& t : sewn.triangles) {
+    const std::array<const ChartPlace*, 3> p = {&places[sewn.merged[t[0]]], &places[sewn.merged[t[1]]], &places[sewn.merged[t[2]]]};
+    for (int r = 0; r < count; ++r) {
+      std::vector<std::pair<Eigen::Vector2d, double>> ends;
+      for (int e = 0; e < 3; ++e) {
+        const int f = (e + 1) % 3;
+        const double a = p[e]->height - rows[r].height, b = p[f]->height - rows[r].height;
+        if ((a < 0.0) == (b < 0.0)) continue;
+        const double s = a / (a - b);
+        const double from = std::remainder(p[e]->share - p[0]->share, 1.0), to = std::remainder(p[f]->share - p[0]->share, 1.0);
+        ends.emplace_back((1.0 - s) * sewn.flat[t[e]] + s * sewn.flat[t[f]], (1.0 - s) * from + s * to);
+      }
+      if (ends.size() != 2) continue;
+      rows[r].girth += (ends[1].first - ends[0].first).norm();
+      round[r] += std::abs(ends[1].second - ends[0].second);
+    }
+  }
+  std::vector<FitRow> there;
+  for (int r = 0; r < count; ++r)
+    if (round[r] > 0.0) there.push_back({rows[r].height, rows[r].girth / round[r], std::min(1.0, round[r])});
+  return there;
+}
+
+bool warp_runs_up(const SewnMesh& sewn, const std::vector<ChartPlace>& places) {
+  double up = 0.0, all = 0.0;
+  for (std::size_t t = 0; t < sewn.triangles.size(); ++t) {
+    const auto& n = sewn.triangles[t];
+    const Eigen::Vector2d a = sewn.flat[n[1]] - sewn.flat[n[0]], b = sewn.flat[n[2]] - sewn.flat[n[0]];
+    const double area = a.x() * b.y() - a.y() * b.x();
+    const double first = places[sewn.merged[n[1]]].height - places[sewn.merged[n[0]]].height,
+                 second = places[sewn.merged[n[2]]].height - places[sewn.merged[n[0]]].height;
+    const Eigen::Vector2d gradient = Eigen::Vector2d(first * b.y() - second * a.y(), second * a.x() - first * b.x()) / area;
+    up += area * std::abs(gradient.normalized().dot(sewn.warp[t])), all += area;
+  }
+  return up > std::sqrt(0.5) * all;
+}
+
+class Placement {
+ public:
+  Placement(const SewnMesh& sewn, const input::GarmentSpec& spec, const Limb& limb, double lift)
+      : sewn_(sewn), spec_(spec), limb_(limb), lift_(lift), chart_(tube_chart(sewn, spec.bottom, spec.where)),
+        facing_(facing(sewn, chart_, spec.seam)) {}
+
+  LimbPlacement take() {
+    lay();
+    const LimbSheet sheet(limb_, fit(), lift_, facing_.angle);
+    slide(sewn_, sheet, places_);
+    settle();
+    LimbPlacement result{.placed = positions(sheet), .fit = fit(), .stand_off = sheet.farthest()};
+    measure(result);
+    return result;
+  }
+
+ private:
+  /// Lengths of the chart become heights on the limb.
+  void lay() {
+    const LimbSheet skin(limb_, GarmentFit{}, lift_, facing_.angle);
+    const double first = skin.length_to(spec_.position);
+    double highest = spec_.position;
+    places_.resize(sewn_.flat.size());
+    for (std::size_t n = 0; n < places_.size(); ++n) {
+      places_[n] = {chart_.round[n] - facing_.round, skin.height_after(first + chart_.up[n])};
+      if (is_vertex(n)) highest = std::max(highest, places_[n].height);
+    }
+    constexpr double tolerance = 1e-9;  // m
+    if (spec_.position < limb_.lower - tolerance || highest > limb_.upper + tolerance + 1e-3 * (highest - spec_.position))
+      throw InputError(spec_.where,
+                       fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm", 1e3 * spec_.position,
+                                   1e3 * highest, 1e3 * limb_.lower, 1e3 * limb_.upper),
+                       "move it (position), shorten it (pattern.length_scale), or let the body reach further");
+  }
+
+  /// The lowest point back to where the case has it, and nothing beyond the ends of the limb.
+  void settle() {
+    const double shift = spec_.position - lowest();
+    for (ChartPlace& place : places_) place.height = std::clamp(place.height + shift, limb_.lower, limb_.upper);
+  }
+
+  bool is_vertex(std::size_t node) {
+    if (vertex_.empty()) {
+      vertex_.assign(sewn_.flat.size(), 0);
+      for (const auto& t : sewn_.triangles)
+        for (int k = 0; k < 3; ++k) vertex_[sewn_.merged[t[k]]] = 1;
+    }
+    return vertex_[node];
+  }
+
+  double lowest() {
+    double low = limb_.upper;
+    for (std::size_t n = 0; n < places_.size(); ++n)
+      if (is_vertex(n)) low = std::min(low, places_[n].height);
+    return low;
+  }
+
+  GarmentFit fit() {
+    GarmentFit result;
+    result.lower = lowest(), result.upper = limb_.lower;
+    for (std::size_t n = 0; n < places_.size(); ++n)
+      if (is_vertex(n)) result.upper = std::max(result.upper, places_[n].height);
+    result.rows = rows_of(sewn_, places_, result.lower, result.upper);
+    result.warp_along = warp_runs_up(sewn_, places_);
+    return result;
+  }
+
+  std::vector<Eigen::Vector3d> positions(const LimbSheet& sheet) {
+    std::vector<Eigen::Vector3d> at(sewn_.flat.size());
+    for (std::size_t n = 0; n < at.size(); ++n)
+      if (is_vertex(n)) at[n] = sheet.at(places_[n].share, places_[n].height);
+    for (const auto& t : sewn_.triangles)
+      for (int e = 0; e < 3; ++e) {
+        const ChartPlace &a = places_[sewn_.merged[t[e]]], &b = places_[sewn_.merged[t[(e + 1) % 3]]];
+        const int middle = sewn_.merged[t[3 + e]];
+        at[middle] = sheet.at(a.share + 0.5 * std::remainder(b.share - a.share, 1.0), 0.5 * (a.height + b.height));
+      }
+    for (std::size_t n = 0; n < at.size(); ++n) at[n] = at[sewn_.merged[n]];
+    return at;
+  }
+
+  void measure(LimbPlacement& result) const {
+    for (std::size_t t = 0; t < sewn_.triangles.size(); ++t) {
+      const auto& n = sewn_.triangles[t];
+      Eigen::Matrix2d flat;
+      flat << sewn_.flat[n[1]] - sewn_.flat[n[0]], sewn_.flat[n[2]] - sewn_.flat[n[0]];
+      Eigen::Matrix<double, 3, 2> placed;
+      placed << result.placed[n[1]] - result.placed[n[0]], result.placed[n[2]] - result.placed[n[0]];
+      const Eigen::Matrix<double, 3, 2> gradient = placed * flat.inverse();
+      const Eigen::Vector2d stretch = gradient.jacobiSvd().singularValues();
+      result.least_stretch = std::min(result.least_stretch, stretch[1]), result.largest_stretch = std::max(result.largest_stretch, stretch[0]);
+      if (stretch[1] >= least_start && stretch[0] <= largest_start) continue;
+      throw InputError(spec_.where,
+                       fmt::format("the piece {} would be stretched to {:.2f} times its size ({:.2f} across) at height {:.0f} mm", sewn_.pieces[sewn_.triangle_piece[t]],
+                                   stretch[0], stretch[1], 1e3 * result.placed[n[0]].z()),
+                       "look at the pattern's unit and size (pattern.girth_scale), the position, and which open edge lies lowest (bottom)");
+    }
+  }
+
+  const SewnMesh& sewn_;
+  const input::GarmentSpec& spec_;
+  const Limb& limb_;
+  double lift_;
+  TubeChart chart_;
+  Facing facing_;
+  std::vector<ChartPlace> places_;  // of the vertices, by representative
+  std::vector<char> vertex_;
+};
+
+}  // namespace
+
+LimbPlacement place_on_limb(const SewnMesh& sewn, const input::GarmentSpec& spec, const Limb& limb, double lift) {
+  return Placement(sewn, spec, limb, lift).take();
+}
+
+}  // namespace snug::mesh
