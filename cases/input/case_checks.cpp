@@ -154,7 +154,7 @@ void check_tube(const GarmentSpec& garment, Diagnostics& diagnostics) {
 
 void check_sewn(const GarmentSpec& garment, Diagnostics& diagnostics) {
   const PatternSpec& sewn = garment.pattern;
-  if (sewn.file.empty()) diagnostics.error(sewn.where, "a sewn pattern names no file", "add file = \"patterns/vest.toml\"");
+  if (sewn.file.empty() && diagnostics.errors().empty()) diagnostics.error(sewn.where, "a sewn pattern names no file", "add file = \"patterns/vest.toml\"");
   for (const auto& [size, key] : {std::pair{sewn.flat_circumference, "flat_circumference"}, std::pair{sewn.length, "length"}})
     if (size != 0.0) diagnostics.error(sewn.where, fmt::format("{} is of a tube, and there is a file", key), "leave it out; girth_scale and length_scale change the pattern");
 }
@@ -298,8 +298,15 @@ void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
 }  // namespace
 
 void complete(Case& description, const Table& root) {
-  for (GarmentSpec& garment : description.garments)
-    if (!garment.pattern.file.empty()) garment.pattern.kind = PatternKind::sewn;
+  const auto names_file = [](const Table* garment) {  // even one that is not there
+    const Value* pattern = garment ? garment->find("pattern") : nullptr;
+    return pattern && (pattern->text() || (pattern->table() && pattern->table()->find("file")));
+  };
+  for (std::size_t g = 0; g < description.garments.size(); ++g) {
+    const Value* garments = root.find("garment");
+    const bool list = garments && garments->array() && g < garments->array()->size();
+    if (names_file(list ? (*garments->array())[g].table() : root.table("garment"))) description.garments[g].pattern.kind = PatternKind::sewn;
+  }
   const Table* body = root.table("body");
   const Value* given = body ? body->find("layers") : nullptr;
   if (!description.body || !given || !given->array()) return;

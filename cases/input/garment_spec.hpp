@@ -29,6 +29,8 @@ struct PatternSpec {
   double length = 0.0;               ///< m, of a tube
   std::filesystem::path file;        ///< of a sewn pattern
   std::vector<std::string> pieces;   ///< of the file that are worn; none: all
+  double from_height = 0.0;              ///< m over the lowest point of each piece: what lies between is worn
+  std::optional<double> to_height;
   double girth_scale = 1.0, length_scale = 1.0;
   Location where = {};
 
@@ -45,6 +47,9 @@ struct PatternSpec {
                 .meaning = "sewing pattern: .toml (docs/patterns.md), .json (GarmentCode), .dxf or .svg; pattern = \"FILE\" is the same"},
           self.file);
     field(Field{.key = "pieces", .meaning = "names of the pieces of the file that are worn; left out: all of them"}, self.pieces);
+    field(Field{.key = "from_height", .unit = "m", .meaning = "what is worn of each piece begins at this height over the lowest point of its drawing", .bound = non_negative()},
+          self.from_height);
+    field(Field{.key = "to_height", .unit = "m", .meaning = "and ends at this one; left out: at its highest point", .bound = positive()}, self.to_height);
     field(Field{.key = "girth_scale", .meaning = "factor across the drawings of the pieces: 0.9 is a tenth smaller round", .bound = between(0.2, 5.0)},
           self.girth_scale);
     field(Field{.key = "length_scale", .meaning = "factor along the drawings of the pieces", .bound = between(0.2, 5.0)}, self.length_scale);

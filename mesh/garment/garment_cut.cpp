@@ -10,6 +10,7 @@
 #include "mesh/garment/tube_chart.hpp"
 #include "mesh/pattern/read_pattern.hpp"
 #include "mesh/pattern/sewn_mesh.hpp"
+#include "mesh/pattern/trimming.hpp"
 
 namespace snug::mesh {
 
@@ -56,6 +57,8 @@ GarmentCut read_cut(const input::GarmentSpec& spec) {
   Pattern pattern = read_pattern(spec.pattern.file);
   check_pieces(pattern);
   if (!spec.pattern.pieces.empty()) pattern = selected(pattern, spec.pattern.pieces, spec.pattern.where);
+  if (spec.pattern.from_height > 0.0 || spec.pattern.to_height)
+    pattern = trimmed(pattern, spec.pattern.from_height, spec.pattern.to_height.value_or(1e3), spec.pattern.where);
   if (spec.pattern.girth_scale != 1.0 || spec.pattern.length_scale != 1.0)
     pattern = graded(pattern, spec.pattern.girth_scale, spec.pattern.length_scale);
   cut.pattern = checked(std::move(pattern));

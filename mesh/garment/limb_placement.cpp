@@ -23,6 +23,8 @@ using input::InputError;
 constexpr double full_turn = 2.0 * std::numbers::pi;
 constexpr double least_start = 0.3, largest_start = 3.0;  // stretches from which the rest metric is reached (FabricMembrane)
 
+constexpr double beyond_the_end = 0.25;  // of the mean edge: what a hem may pass the limb's end by, to be pushed back
+
 /// A place on the chart and the angle of the limb where it comes to lie.
 struct Facing {
   double round, angle;
@@ -53,6 +55,18 @@ Facing facing(const SewnMesh& sewn, const TubeChart& chart, const std::optional<
   return {along.empty() ? 0.0 : circular_mean(along), seam.value_or(std::numbers::pi)};
 }
 
+/// Where a garment goes a part of the way round, at uneven hems, a part does not tell its width: it has that of the nearest row that goes all
+/// the way round.
+void widen_from_whole(std::vector<FitRow>& rows) {
+  constexpr double all_round = 0.999;
+  const auto whole = [](const FitRow& row) { return row.cover > all_round; };
+  const auto first = std::find_if(rows.begin(), rows.end(), whole);
+  if (first == rows.end()) return;
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), whole).base();
+  for (auto it = rows.begin(); it != first; ++it) it->girth = first->girth;
+  for (auto it = last; it != rows.end(); ++it) it->girth = (last - 1)->girth;
+}
+
 /// Widths by height: lengths on the flat pieces of the lines on which the vertices' heights are equal.
 std::vector<FitRow> rows_of(const SewnMesh& sewn, const std::vector<ChartPlace>& places, double lower, double upper) {
   constexpr int count = 48;
@@ -79,6 +93,7 @@ std::vector<FitRow> rows_of(const SewnMesh& sewn, const std::vector<ChartPlace>&
   std::vector<FitRow> there;
   for (int r = 0; r < count; ++r)
     if (round[r] > 0.0) there.push_back({rows[r].height, rows[r].girth / round[r], std::min(1.0, round[r])});
+  widen_from_whole(there);
   return there;
 }
 
@@ -123,8 +138,12 @@ class Placement {
       places_[n] = {chart_.round[n] - facing_.round, skin.height_after(first + chart_.up[n])};
       if (is_vertex(n)) highest = std::max(highest, places_[n].height);
     }
-    constexpr double tolerance = 1e-9;  // m
-    if (spec_.position < limb_.lower - tolerance || highest > limb_.upper + tolerance + 1e-3 * (highest - spec_.position))
+    check_range(highest);
+  }
+
+  void check_range(double highest) const {
+    const double tolerance = 1e-9 + beyond_the_end * sewn_.mean_edge;  // m
+    if (spec_.position < limb_.lower - 1e-9 || highest > limb_.upper + tolerance)
       throw InputError(spec_.where,
                        fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm", 1e3 * spec_.position,
                                    1e3 * highest, 1e3 * limb_.lower, 1e3 * limb_.upper),
@@ -134,7 +153,13 @@ class Placement {
   /// The lowest point back to where the case has it, and nothing beyond the ends of the limb.
   void settle() {
     const double shift = spec_.position - lowest();
-    for (ChartPlace& place : places_) place.height = std::clamp(place.height + shift, limb_.lower, limb_.upper);
+    double highest = spec_.position;
+    for (std::size_t n = 0; n < places_.size(); ++n) {
+      places_[n].height += shift;
+      if (is_vertex(n)) highest = std::max(highest, places_[n].height);
+      places_[n].height = std::clamp(places_[n].height, limb_.lower, limb_.upper);
+    }
+    check_range(highest);
   }
 
   bool is_vertex(std::size_t node) {

@@ -55,6 +55,19 @@ std::string ease_text(const PreparedCase& prepared, const mesh::GarmentMesh& gar
                      ease < 0.0 ? "smaller" : "larger");
 }
 
+/// How wide a sewn garment is against the body, from below.
+std::string fit_text(const mesh::GarmentFit& fit, const mesh::Limb& limb) {
+  constexpr int rows = 9;
+  std::string text = fmt::format("  {:>13} {:>11} {:>13} {:>8} {:>8}\n", "height [mm]", "body [mm]", "garment [mm]", "ease %", "cover %");
+  for (int i = 0; i < rows; ++i) {
+    const mesh::FitRow row = fit.at(fit.lower + fit.length() * (i + 0.5) / rows);
+    const double girth = limb.girth(row.height);
+    text += fmt::format("  {:>13.0f} {:>11.1f} {:>13.1f} {:>8.1f} {:>8.0f}\n", 1e3 * row.height, 1e3 * girth, 1e3 * row.girth, 100.0 * (row.girth / girth - 1.0),
+                        100.0 * row.cover);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string quality_text(const PreparedCase& prepared) {
@@ -70,6 +83,7 @@ std::string quality_text(const PreparedCase& prepared) {
     text += fmt::format("  {}: {} {} triangles, mean edge {:.1f} mm\n", garment.name, garment.triangles.size(),
                         garment.order == 2 ? "quadratic" : "linear", garment.mean_edge * 1e3) +
             ease_text(prepared, garment);
+    if (prepared.description.garments[g].pattern.sewn()) text += fit_text(garment.fit, prepared.meshes.limb);
   }
   return text;
 }

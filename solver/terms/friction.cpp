@@ -53,12 +53,13 @@ FrictionHistory& Friction::edit(State& state) const {
   if (history.anchor.size() > 0) return history;
   history.anchor = state.values;
   history.traction = Eigen::VectorXd::Zero(9 * contact_.triangles());
+  history.held = Eigen::VectorXd::Zero(3 * contact_.triangles());
   return history;
 }
 
 void Friction::renew(State& state) const { edit(state).stiffness = slip_stiffness(state); }
 
-FrictionHistory::Element Friction::frame(const State& state, int triangle) const {
+FrictionHistory::Element Friction::frame(const State& state, const Eigen::VectorXd& held, int triangle) const {
   FrictionHistory::Element element;
   std::vector<Contact::Meeting> points;
   contact_.meetings(state, triangle, points);
@@ -70,8 +71,10 @@ FrictionHistory::Element Friction::frame(const State& state, int triangle) const
     Corner& corner = element[v];
     if (state.release == 0.0)
       corner.bound = std::numeric_limits<double>::infinity();
-    else if (contact.active[vertices[v]])
-      corner.bound = coefficient_ * vertex_pressure(state, vertices[v]) / state.release;
+    else {
+      if (contact.active[vertices[v]]) corner.bound = coefficient_ * vertex_pressure(state, vertices[v]) / state.release;
+      if (state.release < 1.0) corner.bound += (1.0 - state.release) * held[3 * triangle + v];
+    }
     if (corner.bound > 0.0) corner.slip.setZero(3, columns);
   }
   for (const Contact::Meeting& q : points) {
@@ -97,16 +100,16 @@ FrictionHistory::Element Friction::frame(const State& state, int triangle) const
   return element;
 }
 
-std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(const State& state) const {
+std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(const State& state, const Eigen::VectorXd& held) const {
   auto frames = std::make_shared<std::vector<FrictionHistory::Element>>(contact_.triangles());
-  tbb::parallel_for(0, contact_.triangles(), [&](int triangle) { (*frames)[triangle] = frame(state, triangle); });
+  tbb::parallel_for(0, contact_.triangles(), [&](int triangle) { (*frames)[triangle] = frame(state, held, triangle); });
   return frames;
 }
 
 void Friction::update(State& state) const {
   FrictionHistory& history = edit(state);
   if (history.stiffness == 0.0) history.stiffness = slip_stiffness(state);
-  history.frames = frames(state);
+  history.frames = frames(state, history.held);
 }
 
 Eigen::VectorXd Friction::change(const State& state, const FrictionHistory& history, int triangle) const {
@@ -184,12 +187,16 @@ void Friction::commit(State& state) const {
   }
   now.traction = std::move(tractions);
   now.anchor = state.values;
+  if (state.release == 0.0)
+    for (Eigen::Index corner = 0; corner < now.held.size(); ++corner) now.held[corner] = now.traction.segment<3>(3 * corner).norm();
 }
 
 /// The tractions go on; slip counts from where the new state is.
 void Friction::carry(const State& from, State& state) const {
   const auto* before = from.history.find<FrictionHistory>(name_);
-  if (before) edit(state).traction = before->traction;
+  if (!before) return;
+  edit(state).traction = before->traction;
+  edit(state).held = before->held;
 }
 
 void Friction::restore(State& state) const {
@@ -197,10 +204,11 @@ void Friction::restore(State& state) const {
   if (!stored) return;
   auto history = std::make_shared<FrictionHistory>();
   ByteReader reader(stored->bytes);
-  reader(history->anchor), reader(history->traction), reader(history->stiffness), reader.finish();
-  if (history->anchor.size() != state.values.size() || history->traction.size() != 9 * contact_.triangles())
+  reader(history->anchor), reader(history->traction), reader(history->held), reader(history->stiffness), reader.finish();
+  if (history->anchor.size() != state.values.size() || history->traction.size() != 9 * contact_.triangles() ||
+      history->held.size() != 3 * contact_.triangles())
     throw std::runtime_error("a stored state has another friction");
-  history->frames = frames(state);
+  history->frames = frames(state, history->held);
   state.history.put(name_, std::move(history));
 }
 

@@ -12,12 +12,12 @@ namespace snug::solver {
 
 /// What friction remembers: the accepted state that slip counts from with the traction there, and the frozen problem.
 struct FrictionHistory : public History {
-  void write(ByteWriter& writer) const override { writer(anchor), writer(traction), writer(stiffness); }
+  void write(ByteWriter& writer) const override { writer(anchor), writer(traction), writer(held), writer(stiffness); }
 
   using Operator = Eigen::Matrix<double, 3, Eigen::Dynamic>;
   struct Corner {
     double area = 0.0;    ///< A_v of the points that face the skin, m2
-    double bound = 0.0;   ///< mu p_v / release, Pa
+    double bound = 0.0;   ///< mu p_v / release + (1 - release) |t_v| of the last state that stuck without a bound, Pa
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries) in the plane of `normal`, m2
   };
@@ -25,6 +25,7 @@ struct FrictionHistory : public History {
 
   Eigen::VectorXd anchor;    ///< values of the accepted state
   Eigen::VectorXd traction;  ///< on the skin there, Pa per rest area of the garment; three corners a triangle
+  Eigen::VectorXd held;      ///< its length where the garment last stuck without a bound, Pa; a corner of a triangle
   double stiffness = 0.0;    ///< k, Pa/m; 0: nothing touches yet
   std::shared_ptr<const std::vector<Element>> frames;  ///< of the last update
 };
@@ -37,7 +38,8 @@ struct FrictionHistory : public History {
 /// together, so that forces and moments balance to round-off whatever the gap. The elastic slip k = mu p_ref / (0.005 h)
 /// regularises the stick (p_ref: mean pressure in contact, h: the garment's mean edge).
 /// Where the state is not released (State::release = 0) every vertex that faces the skin sticks to it, touching or not,
-/// with a stiffness k of its own and without a bound; in between the bound is mu p_v / release.
+/// with a stiffness k of its own and without a bound; in between the bound is mu p_v / release + (1 - release) |t_v|, t_v the traction of
+/// the last state that stuck: cloth that touches nothing, whose mu p_v is 0, gives way by and by instead of all at once.
 /// Wriggers, Computational Contact Mechanics (2nd ed. 2006), sec. 5.2 and 9.4 (return mapping); Laursen, Computational
 /// Contact and Impact Mechanics (2002), ch. 5 (U_q).
 /// The points' frames and the bound mu p_v are those of the last `update`. With them frozen the forces derive from the
@@ -89,8 +91,8 @@ class Friction : public Term {
   FrictionHistory& edit(State& state) const;
   double vertex_pressure(const State& state, int vertex) const;
   double slip_stiffness(const State& state) const;
-  FrictionHistory::Element frame(const State& state, int triangle) const;
-  std::shared_ptr<const std::vector<FrictionHistory::Element>> frames(const State& state) const;
+  FrictionHistory::Element frame(const State& state, const Eigen::VectorXd& held, int triangle) const;
+  std::shared_ptr<const std::vector<FrictionHistory::Element>> frames(const State& state, const Eigen::VectorXd& held) const;
   Eigen::VectorXd change(const State& state, const FrictionHistory& history, int triangle) const;
   static Return traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int corner);
 
