@@ -143,7 +143,7 @@ void check_tube(const GarmentSpec& garment, Diagnostics& diagnostics) {
   const PatternSpec& tube = garment.pattern;
   const auto missing = [&](double size, const char* key, const char* meaning, const char* example) {
     if (size == 0.0)
-      diagnostics.error(tube.where, fmt::format("the key {} is missing", key),
+      diagnostics.error(tube.where, fmt::format("the key {} is missing, or 0 m", key),
                         fmt::format("add {}: {} of the tube as cut, e.g. \"{}\"; or name a sewing pattern: pattern = \"FILE\"", key, meaning, example));
   };
   missing(tube.flat_circumference, "flat_circumference", "circumference", "400 mm");

@@ -40,9 +40,9 @@ struct PatternSpec {
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length; sewn: the pieces and seams of a file (taken where file is given)"},
           self.kind);
-    field(Field{.key = "flat_circumference", .unit = "m", .meaning = "circumference of the tube as cut, without tension", .bound = positive()},
+    field(Field{.key = "flat_circumference", .unit = "m", .meaning = "circumference of the tube as cut, without tension", .bound = non_negative()},
           self.flat_circumference);
-    field(Field{.key = "length", .unit = "m", .meaning = "length of the tube as cut", .bound = positive()}, self.length);
+    field(Field{.key = "length", .unit = "m", .meaning = "length of the tube as cut", .bound = non_negative()}, self.length);
     field(Field{.key = "file",
                 .meaning = "sewing pattern: .toml (docs/patterns.md), .json (GarmentCode), .dxf or .svg; pattern = \"FILE\" is the same"},
           self.file);

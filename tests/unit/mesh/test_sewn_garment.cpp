@@ -10,6 +10,7 @@
 #include "mesh/garment/garment_cut.hpp"
 #include "mesh/garment/limb_placement.hpp"
 #include "mesh/garment/tube_chart.hpp"
+#include "tests/pattern_texts.hpp"
 #include "tests/unit/mesh/bodies.hpp"
 #include "tests/unit/mesh/patterns.hpp"
 
@@ -38,20 +39,7 @@ Limb cone_limb(const std::function<double(double)>& radius, double lower, double
 
 constexpr double lift = 2e-4;
 
-/// A tube of `pieces` equal parts whose seams lean by `lean` (mm) over the length.
-std::string tube_text(int pieces, double girth, double length, double lean = 0.0) {
-  std::string text = "unit = \"1 mm\"\n";
-  const double width = girth / pieces;
-  for (int p = 0; p < pieces; ++p)
-    text += fmt::format("[[piece]]\nname = \"part {}\"\nedges = [\n  {{ name = \"hem\", from = [0, 0] }},\n  {{ name = \"right\", from = [{:.17g}, 0] }},\n"
-                        "  {{ name = \"top\", from = [{:.17g}, {}] }},\n  {{ name = \"left\", from = [{:.17g}, {}] }},\n]\n",
-                        p, width, width + lean, length, lean, length);
-  for (int p = 0; p < pieces; ++p)
-    text += fmt::format("[[seam]]\nname = \"seam {}\"\na = \"part {}.right\"\nb = \"part {}.left\"\n", p, p, (p + 1) % pieces);
-  text += "[[hem]]\nname = \"cuff\"\nedges = \"part 0.hem";
-  for (int p = 1; p < pieces; ++p) text += fmt::format(" + part {}.hem", p);
-  return text + "\"\n";
-}
+using tests::tube_text;
 
 input::GarmentSpec spec_at(double position) {
   input::GarmentSpec spec;
@@ -127,21 +115,23 @@ TEST(SewnGarment, TheOutsideOfThePiecesLooksOutwards) {
 }
 
 TEST(SewnGarment, AConeOfOneSectorLiesOnAConeWithoutStrain) {
-  // The leg of a cone (annulus of 100 to 250 mm, 120 degrees) on the limb of that cone keeps its lengths: stretches within 1e-3.
-  const double sine = 1.0 / 3.0, cosine = std::sqrt(1.0 - sine * sine);
-  const double lower = -0.26 * cosine, upper = -0.09 * cosine;
-  const Limb limb = cone_limb([&](double z) { return -z / cosine * sine; }, lower, upper);
-  const SewnMesh sewn = mesh_pattern(checked_toml(cone), 0.008);
+  // The leg of a cone (annulus of 100 to 250 mm, 120 degrees) on the limb of that cone keeps its lengths: what strain there is comes from the
+  // chords of the triangles, below a hundredth at 8 mm and a third of that at 4 mm.
+  const double sine = 1.0 / 3.0, cosine = std::sqrt(1.0 - sine * sine);  // girth 2 pi/3 of the slant length
+  const Limb limb = cone_limb([&](double z) { return -z / cosine * sine; }, -0.26 * cosine, -0.09 * cosine);
   input::GarmentSpec spec = spec_at(-0.25 * cosine);
   spec.bottom = "outer";
-  const LimbPlacement placement = placed(sewn, limb, spec);
-  EXPECT_NEAR(placement.fit.upper, -0.10 * cosine, 1e-4);
-  for (int t = 0; t < static_cast<int>(sewn.triangles.size()); ++t) {
-    const Eigen::Vector2d s = stretches(sewn, placement, t);
-    ASSERT_NEAR(s[0], 1.0, 9e-3);  // chords, and 0.2 mm off the skin of 33 mm at the narrow end
-    ASSERT_NEAR(s[1], 1.0, 6e-3);
+  std::array<double, 2> most{};
+  for (const int half : {0, 1}) {
+    const SewnMesh sewn = mesh_pattern(checked_toml(cone), half ? 0.004 : 0.008);
+    const LimbPlacement placement = place_on_limb(sewn, spec, limb, 1e-6);
+    EXPECT_NEAR(placement.fit.upper, -0.10 * cosine, 1e-4);
+    EXPECT_NEAR(placement.fit.girth_at(-0.2 * cosine), 2.0 * std::numbers::pi * 0.2 / 3.0, 1e-3);
+    for (int t = 0; t < static_cast<int>(sewn.triangles.size()); ++t)
+      most[half] = std::max(most[half], (stretches(sewn, placement, t) - Eigen::Vector2d::Ones()).cwiseAbs().maxCoeff());
   }
-  EXPECT_NEAR(placement.fit.girth_at(-0.2 * cosine), 2.0 * std::numbers::pi * 0.2 / 3.0, 1e-3);
+  EXPECT_LT(most[0], 0.01);
+  EXPECT_LT(most[1], 0.35 * most[0]);
 }
 
 TEST(SewnGarment, SlidingLowersTheDistortionOnABulgingLimb) {
@@ -205,7 +195,7 @@ TEST(SewnGarment, WhatGoesRoundNoLimbIsRefusedByName) {
               testing::HasSubstr("front and back are not sewn together"));
   input::GarmentSpec wrong = spec_at(0.0);
   wrong.bottom = "ankle";
-  EXPECT_THAT(refused(tube_text(2, 280.0, 60.0), wrong), testing::AllOf(testing::HasSubstr("\"ankle\" is no open edge"), testing::HasSubstr("\"cuff\"")));
+  EXPECT_THAT(refused(tube_text(2, 280.0, 60.0), wrong), testing::AllOf(testing::HasSubstr("\"ankle\" is no open edge"), testing::HasSubstr("\"lower\"")));
   EXPECT_THAT(refused(tube_text(2, 280.0, 400.0), spec_at(0.0)), testing::HasSubstr("the garment covers heights 0.0 to 400.0 mm"));
   EXPECT_THAT(refused(tube_text(2, 60.0, 60.0), spec_at(0.0)), testing::HasSubstr("would be stretched to"));
 }

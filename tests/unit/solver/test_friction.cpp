@@ -295,5 +295,22 @@ TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   EXPECT_FALSE(state.history.has("friction"));
 }
 
+TEST(Friction, ClothThatTouchesNothingIsLetGoByAndBy) {
+  // What stuck without a bound keeps (1 - release) of its traction as a bound where nothing presses it, and nothing of it at the end.
+  Rubbed rubbed(Skin::rigid, 1e-4);
+  const solver::Field& pressures = rubbed.scene.layout()["contact"];
+  for (int i = 0; i < pressures.count; ++i) rubbed.state.values[pressures(i)] = 0.0;
+  rubbed.scene.find<solver::Contact>()->set_stiffness(0.0);
+  auto& history = rubbed.state.history.edit<solver::FrictionHistory>("friction");
+  for (Eigen::Index corner = 0; corner < history.held.size(); ++corner) history.held[corner] = 100.0 + static_cast<double>(corner);
+  for (const double release : {0.25, 1.0}) {
+    rubbed.state.release = release;
+    rubbed.update();
+    const auto& frames = *rubbed.state.history.edit<solver::FrictionHistory>("friction").frames;
+    for (std::size_t e = 0; e < frames.size(); ++e)
+      for (int v = 0; v < 3; ++v) ASSERT_DOUBLE_EQ(frames[e][v].bound, (1.0 - release) * (100.0 + 3.0 * e + v));
+  }
+}
+
 }  // namespace
 }  // namespace snug::tests
