@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "postproc/skin_pressure.hpp"
 
@@ -16,42 +17,67 @@ using Point = Eigen::Vector3d;
 constexpr double divisions_of_an_edge = 24.0;
 constexpr double beside_an_edge = 3.0;  // to which distance, in its reach, the pressure is looked at
 
-/// An edge as a chain of straight pieces.
+/// How far a point is from an edge, and whether it is on the side of its cloth.
+struct Beside {
+  double distance = 0.0;
+  bool inside = true;
+};
+
+/// An edge as a chain of straight pieces. `opposite`: of a mid-edge node, the vertex across its triangle.
 class Chain {
  public:
-  Chain(const GarmentEdge& edge, const std::vector<Point>& nodes) {
-    for (const auto& [a, middle, b] : edge.sides) pieces_.push_back({nodes[a], nodes[middle]}), pieces_.push_back({nodes[middle], nodes[b]});
-    for (const auto& [a, b] : pieces_) box_.extend(a), box_.extend(b), length_ += (b - a).norm();
+  Chain(const GarmentEdge& edge, const std::vector<Point>& nodes, const std::map<int, int>& opposite) {
+    for (const auto& [a, middle, b] : edge.sides) {
+      const auto across = opposite.find(middle);
+      const Point cloth = across == opposite.end() ? Point(Point::Zero()) : Point(nodes[across->second] - nodes[middle]);
+      pieces_.push_back({nodes[a], nodes[middle], cloth}), pieces_.push_back({nodes[middle], nodes[b], cloth});
+    }
+    for (const auto& [a, b, cloth] : pieces_) box_.extend(a), box_.extend(b), length_ += (b - a).norm();
   }
   double length() const { return length_; }
   /// Distance of x, or `limit` where it is farther.
-  double distance(const Point& x, double limit) const {
+  Beside beside(const Point& x, double limit) const {
     double squared = limit * limit;
-    if (box_.squaredExteriorDistance(x) >= squared) return limit;
-    for (const auto& [a, b] : pieces_) {
+    bool inside = true;
+    if (box_.squaredExteriorDistance(x) >= squared) return {limit, inside};
+    for (const auto& [a, b, cloth] : pieces_) {
       const Point along = b - a;
       const double t = std::clamp((x - a).dot(along) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
-      squared = std::min(squared, (x - a - t * along).squaredNorm());
+      const Point away = x - a - t * along;
+      if (away.squaredNorm() >= squared) continue;
+      squared = away.squaredNorm(), inside = away.dot(cloth) >= 0.0;
     }
-    return std::sqrt(squared);
+    return {std::sqrt(squared), inside};
   }
 
  private:
-  std::vector<std::pair<Point, Point>> pieces_;
+  struct Piece {
+    Point a, b, cloth;  ///< its ends, and where the cloth lies
+  };
+  std::vector<Piece> pieces_;
   Eigen::AlignedBox3d box_;
   double length_ = 0.0;
 };
 
-/// The nearest edge within `limit` and its distance.
+/// The nearest edge within `limit`, its distance, and whether it is that of the cloth over the point.
 struct Near {
   int edge = -1;
   double distance = 0.0;
+  bool inside = true;
 };
 Near nearest(const std::vector<Chain>& chains, const Point& x, double limit) {
   Near near{-1, limit};
   for (std::size_t e = 0; e < chains.size(); ++e)
-    if (const double d = chains[e].distance(x, near.distance); d < near.distance) near = {static_cast<int>(e), d};
+    if (const auto [d, inside] = chains[e].beside(x, near.distance); d < near.distance) near = {static_cast<int>(e), d, inside};
   return near;
+}
+
+/// Of the mid-edge nodes of all triangles, the vertex across.
+std::map<int, int> opposite_vertices(const GarmentResult& garment) {
+  std::map<int, int> opposite;
+  for (const auto& t : garment.triangles)
+    for (int k = 0; k < 3; ++k) opposite[t[3 + k]] = t[(k + 2) % 3];
+  return opposite;
 }
 
 /// Pressure over the distance from an edge, a straight line by least squares of force - area (p0 + slope d), weighted by area.
@@ -62,6 +88,7 @@ class Slope {
     force_ += force, turned_ += force * distance;
   }
   /// The pressure at a distance.
+  bool empty() const { return !(area_ > 0.0); }
   double at(double distance) const {
     if (!(area_ > 0.0)) return 0.0;
     const double middle = moment_ / area_, spread = second_ - middle * moment_;
@@ -73,21 +100,35 @@ class Slope {
   double area_ = 0.0, moment_ = 0.0, second_ = 0.0, force_ = 0.0, turned_ = 0.0;
 };
 
+/// One side of an edge: the pressure beyond its reach, and what lies within.
+struct Side {
+  Slope beyond;
+  double area = 0.0, moment = 0.0;
+
+  void add(double distance, double reach, const ContactSample& sample) {
+    if (distance < reach) area += sample.area, moment += sample.area * distance;
+    else if (distance < beside_an_edge * reach) beyond.add(distance, sample.force, sample.area);
+  }
+  /// The force within reach that the pressure beyond explains; that of the other side where there is none on this one.
+  double explained(const Side& other) const {
+    return area > 0.0 ? (beyond.empty() ? other : *this).beyond.at(moment / area) * area : 0.0;
+  }
+};
+
+// An edge that lies on other cloth has pressure on both of its sides, one more than the other.
 void fill_lines(const std::vector<Near>& near, RunResult& run) {
-  std::vector<Slope> beside(run.hems.size());
-  std::vector<double> area(run.hems.size(), 0.0), moment(run.hems.size(), 0.0);
+  std::vector<std::array<Side, 2>> sides(run.hems.size());
   for (std::size_t s = 0; s < run.samples.size(); ++s) {
     const ContactSample& sample = run.samples[s];
-    const auto [edge, distance] = near[s];
+    const auto [edge, distance, inside] = near[s];
     if (edge < 0 || sample.facet < 0) continue;
-    if (distance < run.hems[edge].reach)
-      run.hems[edge].force += sample.force, area[edge] += sample.area, moment[edge] += sample.area * distance;
-    else if (distance < beside_an_edge * run.hems[edge].reach)
-      beside[edge].add(distance, sample.force, sample.area);
+    if (distance < run.hems[edge].reach) run.hems[edge].force += sample.force;
+    sides[edge][inside ? 0 : 1].add(distance, run.hems[edge].reach, sample);
   }
   for (std::size_t e = 0; e < run.hems.size(); ++e) {
     Hem& hem = run.hems[e];
-    const double explained = area[e] > 0.0 ? beside[e].at(moment[e] / area[e]) * area[e] : 0.0;
+    const auto& [in, out] = sides[e];
+    const double explained = in.explained(out) + out.explained(in);
     if (hem.length > 0.0) hem.line_load = (hem.force - explained) / hem.length;
   }
 }
@@ -150,8 +191,9 @@ double keep_hems_apart(double cell, RunResult& run) {
   run.hems.clear();
   if (run.samples.empty()) return 0.0;
   std::vector<Chain> chains;
+  const std::map<int, int> opposite = opposite_vertices(run.garment);
   for (const GarmentEdge& edge : run.garment.edges) {
-    chains.emplace_back(edge, run.garment.current);
+    chains.emplace_back(edge, run.garment.current, opposite);
     run.hems.push_back({edge.name, chains.back().length(), std::max(cell, chains.back().length() / divisions_of_an_edge)});
   }
   const std::vector<double> depth = depths(chains, run.garment);
@@ -164,7 +206,7 @@ double keep_hems_apart(double cell, RunResult& run) {
   std::vector<Near> near;
   for (ContactSample& sample : run.samples) {
     near.push_back(nearest(chains, sample.at, widest));
-    const auto [edge, distance] = near.back();
+    const auto [edge, distance, inside] = near.back();
     sample.hem = edge >= 0 && distance < run.hems[edge].strip ? edge : -1;
   }
   fill_lines(near, run);

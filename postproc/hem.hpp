@@ -15,7 +15,8 @@ namespace snug::postproc {
 ///   force  F = sum of the normal contact forces of the points nearer than c to the edge,
 ///   line load  q = (F - p A) / length, with the area A of these points and the pressure p there, which is that of the points
 ///          c to 3 c from the edge, continued along its slope across the edge (least squares by area). What the slope misses
-///          of a smooth pressure is of the third order in c.
+///          of a smooth pressure is of the third order in c. An edge that lies on other cloth has pressure on both sides: there
+///          p A is the sum over both, each with its own line.
 /// Distances are straight ones to the edge as worn. A point belongs to the nearest edge.
 ///
 /// Fills run.hems, the samples' `hem`, and of the body `hem`, `pressure_inside` (its `contact_pressure` less the strips) and

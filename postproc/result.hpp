@@ -106,13 +106,15 @@ struct Hem {
   double line_load = 0.0;         ///< N/m, of that force what the pressure beyond reach does not explain, per length
 };
 
-/// Two surfaces of the body that touch.
+/// Two surfaces of the body that touch, or a garment and what it lies on where garments lie over one another.
 struct SurfaceContact {
   std::string name, slave, master;
   double force = 0.0;             ///< N, sum of the normal point forces
   double area = 0.0;              ///< m2, of the slave as it is now, where it touches
   double largest_pressure = 0.0;  ///< Pa, nodal
   double friction_force = 0.0;    ///< N, sum of the tangential point forces
+
+  double mean_pressure() const { return area > 0.0 ? force / area : 0.0; }  ///< Pa, over the touching part
 };
 
 struct Phase {

@@ -138,6 +138,7 @@ Json surface_contacts_json(const RunResult& run) {
                     {"master", contact.master},
                     {"force_N", contact.force},
                     {"area_m2", contact.area},
+                    {"mean_pressure_Pa", contact.mean_pressure()},
                     {"largest_pressure_Pa", contact.largest_pressure},
                     {"friction_force_N", contact.friction_force}});
   return json;

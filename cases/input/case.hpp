@@ -30,10 +30,10 @@ constexpr auto texts_of(Tier) { return std::array{"L0", "L1", "L4"}; }
 enum class LoadPath { load, arc_length };
 constexpr auto texts_of(LoadPath) { return std::array{"load", "arc length"}; }
 
-/// A pair of surfaces that touch: a garment and the skin, or two surfaces of the body.
+/// Surfaces that touch: a garment and what lies under it, or two surfaces of the body.
 struct ContactSpec {
   std::string slave;               ///< a garment, or a surface of the body; empty: every garment that no other contact names
-  std::string master = "skin";     ///< a surface of the body
+  std::string master;              ///< of a garment: "skin", or a garment under it; empty: all that it lies on. Else a surface of the body
   GapTests basis = GapTests::hat;
   std::optional<double> friction;  ///< coefficient; see solver/scene/friction_choice
   bool spread = false;             ///< what other ways of putting the garment on would change
@@ -45,10 +45,14 @@ struct ContactSpec {
                 .meaning = "what touches: the name of a garment, or a surface of the body made of quadratic tetrahedra; left out: "
                            "every garment that no other contact names"},
           self.slave);
-    field(Field{.key = "master", .meaning = "what it touches: a surface of the body"}, self.master);
+    field(Field{.key = "master",
+                .meaning = "what it touches. Of a garment: the garment that it lies on, and beyond its edges what lies under that and the skin; "
+                           "skin: the skin alone; left out: the garments listed before it where it lies over them, else the skin. Of a surface "
+                           "of the body: another one"},
+          self.master);
     field(Field{.key = "basis", .meaning = "test functions of the weighted gap"}, self.basis);
     field(Field{.key = "friction",
-                .meaning = "coefficient of friction; left out: of a garment on the skin the fabric's own (MIU), else 0.3; of two "
+                .meaning = "coefficient of friction; left out: of a garment on what it lies on the fabric's own (MIU), else 0.3; of two "
                            "surfaces of the body none. 0: none, for verification",
                 .bound = between(0.0, 2.0)},
           self.friction);
@@ -125,10 +129,10 @@ struct Case {
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "title", .meaning = "one line that names the case in results", .required = true}, self.title);
     field(Field{.key = "body", .meaning = "the body: layers, mesh, locations"}, self.body);
-    field(Field{.key = "garment", .meaning = "the garment: pattern, fabric, placement; several as [[garment]], each with its name",
+    field(Field{.key = "garment", .meaning = "the garment: pattern, fabric, placement; several as [[garment]], each with its name, the first next to the skin",
                 .one_or_more = true},
           self.garments);
-    field(Field{.key = "contact", .meaning = "contact of garment and skin, or of two surfaces of the body; several as [[contact]]",
+    field(Field{.key = "contact", .meaning = "contact of a garment with what it lies on, or of two surfaces of the body; several as [[contact]]",
                 .one_or_more = true},
           self.contacts);
     field(Field{.key = "comfort", .meaning = "sensation by location and overall comfort"}, self.comfort);

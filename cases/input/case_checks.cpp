@@ -217,6 +217,24 @@ void check_garments(const Case& c, Diagnostics& diagnostics) {
   }
 }
 
+/// A garment lies on the skin or on one that is listed before it, whose triangles are quadratic.
+void check_master(const ContactSpec& contact, const Case& c, Diagnostics& diagnostics) {
+  if (contact.master.empty() || contact.master == "skin") return;
+  const auto place = [&](const std::string& name) {
+    return std::find_if(c.garments.begin(), c.garments.end(), [&](const GarmentSpec& garment) { return garment.name == name; });
+  };
+  const auto inner = place(contact.master);
+  if (inner == c.garments.end())
+    diagnostics.error(contact.where, fmt::format("a garment is to lie on \"{}\", which is no garment of the case", contact.master),
+                      "name the garment under it, or leave master out: it meets what it lies over");
+  else if (contact.slave.empty())
+    diagnostics.error(contact.where, fmt::format("every garment is to lie on \"{}\"", contact.master), "say which one does: slave = \"band\"");
+  else if (inner >= place(contact.slave))
+    diagnostics.error(contact.where, fmt::format("\"{}\" is to lie on \"{}\", which is listed {}", contact.slave, contact.master,
+                                                 contact.slave == contact.master ? "as itself" : "after it"),
+                      "list garments from the skin outwards");
+}
+
 void check_contacts(const Case& c, Diagnostics& diagnostics) {
   std::set<std::string> named;
   int open = 0;
@@ -226,9 +244,7 @@ void check_contacts(const Case& c, Diagnostics& diagnostics) {
       diagnostics.error(contact.where, "two contacts name no slave", "say which garment each is of: slave = \"band\"");
     if (!contact.slave.empty() && !named.insert(contact.slave).second)
       diagnostics.error(contact.where, fmt::format("\"{}\" is the slave of two contacts", contact.slave), "name it once");
-    if (!solids && contact.master != "skin")
-      diagnostics.error(contact.where, fmt::format("a garment touches \"{}\"", contact.master),
-                        "a garment touches the skin: leave master out. A garment on another one is not available yet");
+    if (!solids) check_master(contact, c, diagnostics);
     if (solids && contact.slave == contact.master)
       diagnostics.error(contact.where, fmt::format("\"{}\" is to touch itself", contact.slave), "name two surfaces");
     if (solids && c.solver.tier != Tier::L4)

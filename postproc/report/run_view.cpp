@@ -39,12 +39,12 @@ Json figures_view(const Json& summary) {
   add("Largest contact pressure", top, 1.0, "Pa", pressure_text(top) + (summary.contains("hems") ? ", beside the hems" : ""));
   add("Largest displacement of the skin", value_at(numbers, "max_skin_displacement_m"), 1e3, "mm", "");
   if (contact > 0.0) {
-    add("Contact force", contact, 1.0, "N", "sum of the amounts over the skin");
+    add("Contact force", contact, 1.0, "N", summary.contains("surface_contacts") ? "sum of the amounts over all contacts" : "sum of the amounts over the skin");
     add("Contact area", value_at(numbers, "contact_area_m2"), 1e4, "cm²", "");
   }
   const double friction = value_at(balance, "friction_force_N");
   if (friction > 0.0) {
-    add("Friction force", friction, 1.0, "N", "sum of the amounts over the skin");
+    add("Friction force", friction, 1.0, "N", summary.contains("surface_contacts") ? "sum of the amounts over all contacts" : "sum of the amounts over the skin");
     add("Largest shear traction", value_at(numbers, "max_shear_traction_Pa"), 1.0, "Pa", "friction of the garment on the skin");
     add("Slipping share of the contact", value_at(numbers, "slipping_share_of_contact"), 100.0, "%", "the rest sticks");
   }
@@ -91,6 +91,9 @@ Json balance_view(const Json& summary) {
     add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
     add("Penetration", number(1e3 * value_at(summary, "max_penetration_m")) + " mm", "at most");
   }
+  for (const Json& row : summary.value("surface_contacts", Json::array()))
+    add("Contact, " + row.value("name", ""), number(value_at(row, "force_N")) + " N",
+        fmt::format("{} Pa in the mean over {} cm²", number(value_at(row, "mean_pressure_Pa")), number(1e4 * value_at(row, "area_m2"))));
   if (const double weight = length(balance.value("garment_weight_N", Json::array())); weight > 0.0)
     add("Weight of the garment", number(weight) + " N", "");
   const Json reactions = balance.value("reactions_N", Json::object());

@@ -52,8 +52,8 @@ std::string balance_text(const postproc::RunResult& run) {
     text += fmt::format("  reaction           {}: {:.3g} {:.3g} {:.3g} N (x y z)\n", name, reaction.x(), reaction.y(),
                         reaction.z());
   for (const postproc::SurfaceContact& contact : run.surface_contacts)
-    text += fmt::format("  {:<18} {:.4g} N between {} and {} over {:.4g} cm2, at most {:.4g} Pa{}\n", contact.name, contact.force, contact.slave,
-                        contact.master, 1e4 * contact.area, contact.largest_pressure,
+    text += fmt::format("  {:<18} {:.4g} N between {} and {} over {:.4g} cm2, {:.4g} Pa in the mean, at most {:.4g} Pa{}\n", contact.name, contact.force, contact.slave,
+                        contact.master, 1e4 * contact.area, contact.mean_pressure(), contact.largest_pressure,
                         contact.friction_force > 0.0 ? fmt::format("; friction {:.4g} N", contact.friction_force) : "");
   if (balance.friction_force > 0.0 && run.numbers.contains("max_shear_traction_Pa"))
     text += fmt::format("  friction           {:.3g} N (sum of the points' tangential forces), at most {:.3g} Pa, {:.0f} % of the contact slips\n",

@@ -1,5 +1,6 @@
 #include "solver/scene/friction_result.hpp"
 
+#include "solver/scene/contact_rows.hpp"
 #include "solver/scene/result.hpp"
 
 namespace snug::solver {
@@ -15,6 +16,7 @@ using Forces = std::vector<Friction::PointForce>;
 void fill_samples(const Forces& forces, const Contact& contact, const Vertices& vertices, std::vector<postproc::ContactSample>& samples) {
   auto sample = samples.begin();
   for (const auto& point : forces) {
+    if (!on_skin(contact.master(), point.facet)) continue;
     while (sample->facet < 0) ++sample;
     sample->shear = -point.force;
     double slipping = 0.0;
@@ -26,9 +28,9 @@ void fill_samples(const Forces& forces, const Contact& contact, const Vertices& 
 }
 
 // The forces act on the garment where it is: friction feels the gap's lever arm, a normal force does not.
-void fill_balance(const Forces& forces, bool deformable, postproc::Balance& balance) {
+void fill_balance(const Forces& forces, const Contact& contact, bool deformable, postproc::Balance& balance) {
   for (const auto& point : forces) {
-    add_action(point.force, point.x, deformable, balance);
+    if (on_skin(contact.master(), point.facet)) add_action(point.force, point.x, deformable, balance);
     balance.friction_force += point.force.norm();
   }
 }
@@ -48,7 +50,7 @@ void add_friction(const Friction& friction, const Contact& contact, const State&
                   std::vector<postproc::ContactSample>& samples, postproc::Balance& balance) {
   const Forces forces = friction.point_forces(state);
   fill_samples(forces, contact, friction.vertex_tractions(state), samples);
-  fill_balance(forces, deformable, balance);
+  fill_balance(forces, contact, deformable, balance);
 }
 
 void fill_skin_friction(const postproc::SkinPressure& normal, postproc::RunResult& result) {

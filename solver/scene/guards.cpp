@@ -181,8 +181,11 @@ class Guards {
     return "choose a garment that is no longer and no wider than what it covers";
   }
 
+  /// m2 of cloth that bears on the skin or on other cloth; the latter with its hems, which are no strips of the skin.
   double touching(bool beside_hems) const {
     double area = 0.0;
+    for (const auto& contact : result_.surface_contacts)
+      if (is_garment(contact.slave) && contact.master != "skin") area += contact.area;
     for (const auto& sample : result_.samples)
       if (sample.touching && !(beside_hems && sample.hem >= 0)) area += sample.area;
     return area;
@@ -216,6 +219,10 @@ class Guards {
     look_at_laplace();
   }
 
+  bool is_garment(const std::string& name) const {
+    return std::any_of(model_.garments.begin(), model_.garments.end(), [&](const auto& garment) { return garment.spec.name == name; });
+  }
+
   std::string place_off() const {
     const std::vector<double>& pressure = result_.garment.fields[postproc::field::contact_pressure];
     const auto bare = [&](std::size_t t) {
@@ -239,7 +246,7 @@ class Guards {
     const double found = number("contact_area_over_expected") = touching(false) / placed;
     if (said || (found > contraction / far_from_area && found < far_from_area)) return;
     warn({.name = "contact area",
-          .text = fmt::format("the garment touches {:.0f} cm2 of skin, {:.2f} of the {:.0f} cm2 that it covers as placed", 1e4 * touching(false), found,
+          .text = fmt::format("the garment touches {:.0f} cm2 of skin{}, {:.2f} of the {:.0f} cm2 that it covers as placed", 1e4 * touching(false), result_.garment.parts.size() > 1 && !result_.surface_contacts.empty() ? " and cloth" : "", found,
                               1e4 * placed),
           .place = "",
           .remedy = "see where it has gone (garment.pvd): it may have slid, gathered or come off; hold an edge or give contact.friction",

@@ -65,6 +65,7 @@ void add_contacts(const input::Case& description, Model& model) {
   }
   for (const input::ContactSpec* spec : solids) {
     ContactModel& contact = model.contacts.emplace_back(make_contact(*spec, spec->slave, alone));
+    if (contact.master.empty()) contact.master = "skin";
     contact.friction = {spec->friction.value_or(0.0), "the case"};
   }
 }

@@ -19,11 +19,12 @@ struct GarmentModel {
   materials::Fabric fabric;
 };
 
-/// A pair of surfaces that touch: a garment on the skin, or two surfaces of the body.
+/// Surfaces that touch: a garment on what lies under it, or two surfaces of the body.
 struct ContactModel {
   std::string name;           ///< of the interface: "contact", or "contact of SLAVE" where there are several
   int garment = -1;           ///< index of the slave; -1: `slave` is a surface of the body
-  std::string slave, master;
+  std::string slave;
+  std::string master;         ///< of a garment: "skin", or the garment under it, or empty (layers.hpp); else a surface of the body
   bool dual = false;          ///< basis of the weighted gap
   FrictionChoice friction;
   bool spread = false;

@@ -5,6 +5,7 @@
 
 #include "solver/scene/constraints.hpp"
 #include "solver/scene/laplace.hpp"
+#include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/run.hpp"
 #include "solver/scene/scene.hpp"
@@ -89,20 +90,27 @@ void list_loose_cloth(const std::string& name, const input::GarmentSpec& garment
       fmt::format("{:.3g} g/m2{}", 1e3 * sheet.areal_density, fabric.areal_density == 0.0 ? " (assumed)" : ""));
 }
 
-void list_contact(const ContactModel* contact, Plan& plan) {
+/// "on": what the slave lies on where it is not the skin alone.
+void list_contact(const ContactModel* contact, const std::string& on, Plan& plan) {
   const std::string part = contact ? contact->name : "contact", rubbing = contact ? contact->friction_name() : "friction";
   if (!contact) {
     plan.parts_out.push_back("contact: no [contact] in the case");
     plan.parts_out.push_back("friction: no garment in contact");
     return;
   }
-  plan.parts_in.push_back(fmt::format("{}: weighted gaps, {} multipliers{}", part, contact->dual ? "dual" : "hat",
-                                      contact->garment < 0 ? ", on " + contact->master : ""));
+  plan.parts_in.push_back(fmt::format("{}: weighted gaps, {} multipliers{}", part, contact->dual ? "dual" : "hat", on));
   const FrictionChoice& friction = contact->friction;
   if (friction.coefficient > 0.0)
     plan.parts_in.push_back(fmt::format("{}: coefficient {:g} ({})", rubbing, friction.coefficient, friction.source));
   else
     plan.parts_out.push_back(fmt::format("{}: none, says {}", rubbing, friction.source));
+}
+
+/// ", on inner where it lies over it, else on the skin"; nothing where there is the skin alone.
+std::string layers_text(const std::vector<std::string>& masters) {
+  std::string text;
+  for (std::size_t m = 0; m + 1 < masters.size(); ++m) text += fmt::format("{} {}", text.empty() ? "" : ", else on", masters[m]);
+  return text.empty() ? text : fmt::format(", on{} where it lies over it, else on the skin", text);
 }
 
 void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
@@ -116,20 +124,21 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
   const mesh::GarmentMesh& mesh = meshes.garments[g];
   plan.parts_in.push_back(
       fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric.name, mesh.triangles.size(), mesh.order));
-  list_contact(model.contact_of(g), plan);
+  list_contact(model.contact_of(g), layers_text(master_names(meshes.garments, layers_under(model, meshes.garments, g))), plan);
   list_loose_cloth(name, model.garments[g].spec, fabric, mesh, plan);
 }
 
-// Garments that lie over one another touch the skin, not each other: thin cloth passes on what presses on it.
+// A garment whose contact names the skin alone lies over others without touching them: thin cloth passes on what presses on it.
 void list_overlaps(const Model& model, const Meshes& meshes, Plan& plan) {
   for (std::size_t a = 0; a < model.garments.size(); ++a)
     for (std::size_t b = a + 1; b < model.garments.size(); ++b) {
       const mesh::GarmentMesh &one = meshes.garments[a], &other = meshes.garments[b];
+      if (const ContactModel* contact = model.contact_of(static_cast<int>(b)); !contact || contact->master != "skin") continue;
       const double low = std::max(one.fit.lower, other.fit.lower), high = std::min(one.fit.upper, other.fit.upper);
       if (high > low)
-        plan.parts_out.push_back(fmt::format("contact of {} with {}: not available yet; over one another at heights {:.0f} to {:.0f} mm, each touches "
-                                             "the skin alone and their pressures add up",
-                                             one.name, other.name, 1e3 * low, 1e3 * high));
+        plan.parts_out.push_back(fmt::format("contact of {} with {}: the case lays it on the skin alone; over one another at heights {:.0f} to {:.0f} mm, "
+                                             "each touches the skin and their pressures add up",
+                                             other.name, one.name, 1e3 * low, 1e3 * high));
     }
 }
 
@@ -139,7 +148,7 @@ void list_garments(const Model& model, const Meshes& meshes, Plan& plan) {
   for (std::size_t g = 0; g < model.garments.size(); ++g) list_garment(model, static_cast<int>(g), meshes, plan);
   list_overlaps(model, meshes, plan);
   for (const ContactModel& contact : model.contacts)
-    if (contact.garment < 0) list_contact(&contact, plan);
+    if (contact.garment < 0) list_contact(&contact, ", on " + contact.master, plan);
 }
 
 void list_file_loads(const mesh::BodyMesh& body, Plan& plan) {

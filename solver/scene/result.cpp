@@ -9,6 +9,7 @@
 
 #include "postproc/hem.hpp"
 #include "postproc/skin_pressure.hpp"
+#include "solver/scene/contact_rows.hpp"
 #include "solver/scene/friction_result.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/reactions.hpp"
@@ -131,17 +132,18 @@ void place_garments(const PublishedFields& published, postproc::GarmentResult& g
       }
 }
 
-// The points of a garment's contact, which act on garment and skin.
+// The points of a garment's contact that act on the skin or on nothing. What acts between garments is in balance by itself.
 std::vector<postproc::ContactSample> contact_samples(const Contact& contact, const FabricMembrane& fabric, const State& state, bool deformable,
                                                      postproc::Balance& balance) {
   std::vector<postproc::ContactSample> samples;
   for (const Contact::PointForce& point : contact.point_forces(state)) {
-    postproc::ContactSample sample{.facet = point.facet, .xi = point.xi[0], .eta = point.xi[1], .force = point.pressing,
+    balance.contact_force += point.force.norm();
+    if (point.facet >= 0 && !on_skin(contact.master(), point.facet)) continue;
+    postproc::ContactSample sample{.facet = point.facet < 0 ? -1 : skin_facet(contact.master(), point.facet), .xi = point.xi[0], .eta = point.xi[1], .force = point.pressing,
                                    .touching = point.pressing > 0.0, .at = point.y};
     if (sample.facet >= 0) sample.area = fabric.area_ratio(state, point.triangle, point.L) * point.weight * fabric.pattern_area(point.triangle);
     samples.push_back(sample);
     add_action(point.force, point.y, deformable, balance);
-    balance.contact_force += point.force.norm();
   }
   return samples;
 }
@@ -242,12 +244,14 @@ void add_action(const Eigen::Vector3d& force, const Eigen::Vector3d& at, bool de
 
 namespace {
 
-// What a garment presses and rubs the skin with.
+// What a garment presses and rubs the skin with, and where garments lie over one another what each of its contacts carries.
 void fill_garment_contact(const Scene& scene, const State& state, const Touch& touch, postproc::RunResult& result) {
   const bool deformable = scene.layout()["body"].count > 0;
   std::vector<postproc::ContactSample> samples = contact_samples(*touch.contact, *touch.sheet, state, deformable, result.balance);
   if (touch.friction) add_friction(*touch.friction, *touch.contact, state, deformable, samples, result.balance);
   result.samples.insert(result.samples.end(), samples.begin(), samples.end());
+  if (!has_layers(scene)) return;
+  for (postproc::SurfaceContact& row : contact_rows(touch, state)) result.surface_contacts.push_back(std::move(row));
 }
 
 void fill_displacement(const Field& position, const State& state, postproc::BodyResult& body) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "solver/algebra/communicator.hpp"
+#include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
@@ -322,9 +323,10 @@ void add_body(const Model& model, const mesh::BodyMesh& body, Scene& scene) {
   add_loads(model, body, scene);
 }
 
-void add_touch(const ContactModel& contact, const FabricMembrane* sheet, Interface interface, double stiffness, double stick, Scene& scene) {
+void add_touch(const ContactModel& contact, std::vector<std::string> masters, const FabricMembrane* sheet, Interface interface, double stiffness,
+               double stick, Scene& scene) {
   const double edge = interface.slave.mean_edge;
-  Touch touch{.slave = contact.slave, .sheet = sheet};
+  Touch touch{.slave = contact.slave, .masters = std::move(masters), .sheet = sheet};
   touch.contact = &scene.add(std::make_unique<Contact>(contact.name, std::move(interface), stiffness,
                                                        contact.dual ? GapBasis::dual : GapBasis::hat));
   if (contact.friction.coefficient > 0.0)
@@ -343,16 +345,20 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   const ContactModel* contact = model.contact_of(g);
   if (!contact) return;
   const double sheet = sheet_stiffness(garment.fabric, mesh);
-  MasterSurface master(scene.layout()["body"], meshes.body, meshes.body.skin_facets);
-  const double stiffness = skin == Skin::deformable ? std::max(sheet, body_stiffness(model, master.mean_edge())) : sheet;
-  add_touch(*contact, &fabric, {scene.layout()[contact->name], garment_slave(position, mesh), std::move(master)}, stiffness, sheet, scene);
+  const std::vector<int> under = layers_under(model, meshes.garments, g);
+  MasterSurface ground(scene.layout()["body"], meshes.body, meshes.body.skin_facets);
+  double stiffness = skin == Skin::deformable ? std::max(sheet, body_stiffness(model, ground.mean_edge())) : sheet;
+  for (const int layer : under) stiffness = std::max(stiffness, sheet_stiffness(model.garments[layer].fabric, meshes.garments[layer]));
+  add_touch(*contact, master_names(meshes.garments, under), &fabric,
+            {scene.layout()[contact->name], garment_slave(position, mesh), over_layers(scene.layout(), meshes.garments, under, std::move(ground))},
+            stiffness, sheet, scene);
 }
 
 void add_solid_contact(const Model& model, const ContactModel& contact, const mesh::BodyMesh& body, Scene& scene) {
   const Field& position = scene.layout()["body"];
   MasterSurface master(position, body, contact_facets(body, contact.master, contact.where));
   const double stiffness = body_stiffness(model, master.mean_edge());
-  add_touch(contact, nullptr,
+  add_touch(contact, {contact.master}, nullptr,
             {scene.layout()[contact.name], surface_slave(position, body, slave_facets(body, contact)), std::move(master)}, stiffness,
             stiffness, scene);
 }

@@ -30,6 +30,7 @@ struct Part {
 /// A pair of parts that touch, with its terms; they belong to the scene.
 struct Touch {
   std::string slave;                  ///< part, or a surface of the body
+  std::vector<std::string> masters;   ///< what it may meet, in the order of the contact's surfaces: garments, "skin", a surface of the body
   const FabricMembrane* sheet = nullptr;  ///< of a garment; null: the slave is a surface of the body
   const Contact* contact = nullptr;
   const Friction* friction = nullptr; ///< null: none

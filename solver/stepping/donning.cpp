@@ -34,6 +34,19 @@ Push push(double force, double contact) {
   return {force, std::abs(force) / std::sqrt(std::max(1e-30, contact * contact - force * force))};
 }
 
+// Force along the axis that others lying on a garment press it with, N.
+double pressed_along(const Scene& scene, const State& state, const std::string& garment) {
+  double along = 0.0;
+  for (const Touch& touch : scene.touches()) {
+    const auto found = std::find(touch.masters.begin(), touch.masters.end(), garment);
+    if (!touch.sheet || found == touch.masters.end()) continue;
+    const int surface = static_cast<int>(found - touch.masters.begin());
+    for (const auto& point : touch.contact->point_forces(state))
+      if (point.facet >= 0 && touch.contact->master().surface_of(point.facet) == surface) along -= point.force.z();
+  }
+  return along;
+}
+
 // Sum of the contact forces of a garment, N.
 double contact_force(const Scene& scene, const State& state, const Model& model, int garment) {
   const ContactModel* contact = model.contact_of(garment);
@@ -64,7 +77,7 @@ Push push_where_it_sticks(const Scene& sticking, const State& state, const Model
   for (std::size_t g = 0; g < model.garments.size(); ++g) {
     const ContactModel* contact = model.contact_of(static_cast<int>(g));
     if (!model.rubs(static_cast<int>(g)) || !model.garments[g].spec.held.empty()) continue;
-    double along = 0.0, sum = 0.0;
+    double along = pressed_along(sticking, state, model.garments[g].spec.name), sum = 0.0;
     for (const auto& point : sticking.find<Contact>(contact->name)->point_forces(state)) along += point.force.z(), sum += point.force.norm();
     const Field& garment = sticking.layout()[model.garments[g].spec.name];
     for (int node = 0; node < garment.count; ++node) along += load[garment(node, 2)];

@@ -12,6 +12,7 @@
 #include "solver/algebra/communicator.hpp"
 #include "solver/scene/guards.hpp"
 #include "solver/scene/laplace.hpp"
+#include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/stepping/arc_length.hpp"
@@ -64,7 +65,8 @@ class Run {
     if (model_.asked.solver.tier == input::Tier::L0 || !model_.has_friction()) return;
     for (const ContactModel& contact : model_.contacts)
       if (contact.garment >= 0 && !contact.friction.of_case)
-        result_.assumptions.push_back(fmt::format("friction {:g} of the {} on the skin ({})", contact.friction.coefficient, contact.slave, contact.friction.source));
+        result_.assumptions.push_back(fmt::format("friction {:g} of the {} on {} ({})", contact.friction.coefficient, contact.slave, layers_under(model_, meshes_.garments, contact.garment).empty() ? "the skin" : "what it lies on",
+                                                  contact.friction.source));
     result_.assumptions.push_back("the way on: placed round the body, sticking while it tightens, then let go (contact.spread = true shows others)");
   }
 

@@ -19,7 +19,8 @@ int parts(double slave_edge, double skin_cell) {
 
 Contact::Contact(std::string name, Interface interface, double stiffness, GapBasis basis)
     : name_(std::move(name)), interface_(std::move(interface)), basis_(basis), stiffness_(stiffness),
-      fallback_parts_(parts(interface_.slave.mean_edge, interface_.master.mean_edge())), reach_(5.0 * interface_.master.mean_edge()),
+      fallback_parts_(parts(interface_.slave.mean_edge, interface_.master.shortest_mean_edge())),
+      reach_(5.0 * interface_.master.longest_mean_edge()),
       step_limit_(0.5 * interface_.slave.mean_edge), share_(vertices(), 0.0) {
   for (const auto& triangle : interface_.slave.triangles)
     for (const int vertex : triangle.vertices) share_[vertex] += 1.0;
@@ -40,7 +41,7 @@ Contact::Gap Contact::gap(const State& state, const TriangleNodes& x, const Cont
   Gap gap;
   gap.x = x * point.N;
   if (point.site.facet < 0) return gap;
-  gap.shape = facet_shape(interface_.master.kind(), point.site.xi);
+  gap.shape = facet_shape(interface_.master.kind(point.site.facet), point.site.xi);
   gap.at = facet_point(interface_.master.positions(state, point.site.facet), gap.shape);
   gap.value = (gap.x - gap.at.y).dot(gap.at.n);
   gap.facing = std::abs(gap.value) < reach_;

@@ -1,4 +1,4 @@
-// Frictionless contact of a slave, garment or surface of a body, on a master surface: an interface.
+// Frictionless contact of a slave, garment or surface of a body, on what lies under it: an interface.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include "postproc/result.hpp"
 #include "solver/terms/active_set.hpp"
 #include "solver/terms/contact_slave.hpp"
+#include "solver/terms/master_stack.hpp"
 #include "solver/terms/term.hpp"
 
 namespace snug::solver {
@@ -16,11 +17,11 @@ namespace snug::solver {
 /// Test functions of the weighted gap on a triangle: hats L_i, or the dual functions 3 L_i - L_j - L_k.
 enum class GapBasis { hat, dual };
 
-/// A pair of surfaces and the field of the pressures between them, one a vertex of the slave.
+/// A surface, what it may meet, and the field of the pressures between them, one a vertex of the slave.
 struct Interface {
   Field pressures;
   ContactSlave slave;
-  MasterSurface master;
+  MasterStack master;
 };
 
 /// What contact remembers: the active set, the points of its quadrature with the places where they meet the master, and the
@@ -109,7 +110,7 @@ class Contact : public Term {
   void meetings(const State& state, int triangle, std::vector<Meeting>& list) const;
   int triangles() const { return static_cast<int>(interface_.slave.triangles.size()); }
   const std::array<int, 3>& vertices_of(int triangle) const { return interface_.slave.triangles[triangle].vertices; }
-  const MasterSurface& master() const { return interface_.master; }
+  const MasterStack& master() const { return interface_.master; }
   double rest_area(int vertex) const { return interface_.slave.area[vertex]; }
   const ContactSlave& slave() const { return interface_.slave; }
   /// int L_i da of the vertices as they are now, m2: with it the pressures carry the forces of the multipliers.

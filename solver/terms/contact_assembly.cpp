@@ -58,7 +58,8 @@ void Contact::add_point(const State& state, const ContactHistory& history, int t
   const double weight = point.weight * slave.area, p = multiplier(state, triangle, point.L);
   Eigen::Matrix<double, Patch::size, 1> G = Eigen::Matrix<double, Patch::size, 1>::Zero();  // dg
   for (int a = 0; a < 6; ++a) G.segment<3>(3 * a) = point.N[a] * g.at.n;
-  for (int b = 0; b < 9 && master().deformable(); ++b) G.segment<3>(Patch::master + 3 * b) = -g.shape.N[b] * g.at.n;
+  const bool moves = master().moves(point.site.facet);
+  for (int b = 0; b < 9 && moves; ++b) G.segment<3>(Patch::master + 3 * b) = -g.shape.N[b] * g.at.n;
   patch.residual -= weight * p * G;
   const Eigen::Vector3d phi = basis(point.L);
   for (int v = 0; v < 3; ++v) {
@@ -69,7 +70,7 @@ void Contact::add_point(const State& state, const ContactHistory& history, int t
     patch.matrix.row(Patch::rows + v) -= weight * phi[v] * G.transpose();
   }
   if (wanted(tangent) && p != 0.0)
-    add_curvature(point, g, weight * p, master().deformable() && tangent == Tangent::full, patch);
+    add_curvature(point, g, weight * p, moves && tangent == Tangent::full, patch);
 }
 
 void Contact::scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const {

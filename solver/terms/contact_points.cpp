@@ -25,7 +25,7 @@ std::vector<Contact::PointForce> Contact::point_forces(const State& state) const
       PointForce force{.x = g.x, .y = g.x, .triangle = e, .L = point.L, .weight = point.weight};
       if (g.facing) {
         force.facet = point.site.facet;
-        force.xi = clamped(interface_.master.kind(), point.site.xi);  // it may stay with its facet a little over the edge
+        force.xi = clamped(interface_.master.kind(force.facet), point.site.xi);  // it may stay with its facet a little over the edge
         force.pressing = point.weight * interface_.slave.triangles[e].area * pressure(state, e, point.L);
         force.y = g.at.y, force.force = force.pressing * g.at.n;
       }

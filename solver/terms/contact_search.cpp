@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/terms/parallel.hpp"
+#include "solver/terms/stack_cut.hpp"
 
 namespace snug::solver {
 
@@ -19,6 +20,7 @@ constexpr double coupling_margin = 0.15;
 void Contact::couple(int facet, Element& element) const {
   if (facet < 0 || std::find(element.facets.begin(), element.facets.end(), facet) != element.facets.end()) return;
   element.facets.push_back(facet);
+  if (!master().moves(facet)) return;
   for (const int node : master().nodes_of(facet))
     if (node >= 0 && std::find(element.master_nodes.begin(), element.master_nodes.end(), node) == element.master_nodes.end())
       element.master_nodes.push_back(node);
@@ -33,7 +35,7 @@ void Contact::couple(Element& element) const {
     couple(site.facet, element);
     const auto& next = master().neighbours(site.facet);
     for (std::size_t edge = 0; edge < next.size(); ++edge)
-      if (beyond(master().domain(), static_cast<int>(edge), site.xi) > -coupling_margin) couple(next[edge], element);
+      if (beyond(master().domain(site.facet), static_cast<int>(edge), site.xi) > -coupling_margin) couple(next[edge], element);
   }
 }
 
@@ -69,15 +71,11 @@ void Contact::renew(State& state) const {
   ContactHistory& history = edit(state);
   history.active.begin();
   const ContactSlave& slave = interface_.slave;
-  const MasterNodes nodes = master_nodes(master(), state);
+  const std::vector<MasterNodes> nodes = master_nodes(master(), state);
   tbb::parallel_for(0, triangles(), [&](int e) {
     Element& element = history.elements[e];
     const TriangleNodes x = positions(state, e);
-    const Eigen::Vector3d centre = x * garment_values(slave.order, Eigen::Vector3d::Constant(1.0 / 3.0));
-    const Site site = master().find(state, centre);
-    element.points.clear();
-    if (site.facet >= 0) element.points = cut_by_facets(master(), nodes, x, slave.order, site.facet);
-    if (element.points.empty()) element.points = uncut_rule(fallback_parts_, slave.order);
+    element.points = cut_by_stack(master(), nodes, state, x, slave.order, fallback_parts_);
     for (ContactPoint& point : element.points) point.weight *= slave.area_ratio(e, point.L);
   });
 }

@@ -80,6 +80,7 @@ FrictionHistory::Element Friction::frame(const State& state, const Eigen::Vector
   for (const Contact::Meeting& q : points) {
     const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - q.at.n * q.at.n.transpose();
     const Eigen::Matrix<double, 3, 9> c = q.at.tangent * q.at.metric.inverse() * q.shape.dN.transpose();
+    const bool moves = contact_.master().moves(q.facet);
     for (int v = 0; v < 3; ++v) {
       Corner& corner = element[v];
       if (corner.bound == 0.0) continue;
@@ -87,7 +88,7 @@ FrictionHistory::Element Friction::frame(const State& state, const Eigen::Vector
       corner.area += weight;
       corner.normal += weight * q.at.n;
       for (int a = 0; a < 6; ++a) corner.slip.middleCols<3>(3 * a) += weight * q.N[a] * P;
-      for (int b = 0; b < 9 && contact_.master().deformable(); ++b)
+      for (int b = 0; b < 9 && moves; ++b)
         if (const int node = contact_.master().nodes_of(q.facet)[b]; node >= 0)
           corner.slip.middleCols<3>(column_of(master_nodes, node)) +=
               weight * (q.gap * c.col(b) * q.at.n.transpose() - q.shape.N[b] * P);
@@ -224,7 +225,7 @@ std::vector<Friction::PointForce> Friction::point_forces(const State& state) con
     contact_.meetings(state, e, points);
     for (const Contact::Meeting& q : points) {
       const Eigen::Vector3d f = t * q.L;
-      forces.push_back({e, q.L, q.x, -q.weight * (f - f.dot(q.at.n) * q.at.n)});
+      forces.push_back({e, q.facet, q.L, q.x, -q.weight * (f - f.dot(q.at.n) * q.at.n)});
     }
   }
   return forces;

@@ -1,4 +1,4 @@
-// Coulomb friction between the garment (slave) and the skin (master).
+// Coulomb friction between a slave, mostly a garment, and what lies under it.
 #pragma once
 
 #include <array>
@@ -70,7 +70,7 @@ class Friction : public Term {
 
   double coefficient() const { return coefficient_; }
   /// Force on the garment (N) at the points of `Contact::meetings`, triangle by triangle.
-  struct PointForce { int triangle; Eigen::Vector3d L, x, force; };
+  struct PointForce { int triangle, facet; Eigen::Vector3d L, x, force; };
   std::vector<PointForce> point_forces(const State& state) const;
   enum class Slip { none, stick, slip };
   /// Traction on the garment (Pa per rest area) and state of its vertices: the mean over the triangles of a vertex.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 namespace snug::solver {
 
@@ -15,13 +16,31 @@ constexpr double border_reach = 1.0 + 1e-6;
 // The same holds at the border: a point that faced the skin when its triangle was cut faces it until the next cut.
 constexpr double hysteresis = 0.2;
 
+std::vector<mesh::FacetNodeNumbers> facets_of(const mesh::GarmentMesh& garment) {
+  if (garment.order != 2) throw std::invalid_argument("the master surface of a contact has quadratic facets");
+  std::vector<mesh::FacetNodeNumbers> facets;
+  for (const auto& triangle : garment.triangles) {
+    auto& facet = facets.emplace_back();
+    facet.fill(-1);
+    for (int a = 0; a < 6; ++a) facet[a] = garment.merged[triangle[a]];
+  }
+  return facets;
+}
+
 }  // namespace
 
-MasterSurface::MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> list)
-    : positions_(positions), kind_(facet_kind(mesh.kind)), domain_(&facet_domain(kind_)), facets_(std::move(list)),
-      reference_(mesh.nodes), mean_edge_(mesh::mean_edge(mesh, facets_)), tree_(boxes()) {
+MasterSurface::MasterSurface(const Field& positions, mesh::FacetKind kind, std::vector<mesh::FacetNodeNumbers> list,
+                             std::vector<Eigen::Vector3d> reference, double mean_edge)
+    : positions_(positions), kind_(kind), domain_(&facet_domain(kind_)), facets_(std::move(list)), reference_(std::move(reference)),
+      mean_edge_(mean_edge), tree_(boxes()) {
   connect();
 }
+
+MasterSurface::MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> list)
+    : MasterSurface(positions, facet_kind(mesh.kind), list, mesh.nodes, mesh::mean_edge(mesh, list)) {}
+
+MasterSurface::MasterSurface(const Field& positions, const mesh::GarmentMesh& garment)
+    : MasterSurface(positions, mesh::FacetKind::tri6, facets_of(garment), garment.placed, garment.mean_edge) {}
 
 std::vector<Eigen::AlignedBox3d> MasterSurface::boxes() const {
   std::vector<Eigen::AlignedBox3d> boxes(facets_.size());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
+#include "mesh/garment/garment_mesh.hpp"
 #include "solver/algebra/state.hpp"
 #include "solver/fem/box_tree.hpp"
 #include "solver/terms/facet_kind.hpp"
@@ -23,13 +24,15 @@ class MasterSurface {
  public:
   /// Facets of a body. With a field of positions nodes move with the state; with an empty one they stand where the mesh has them.
   MasterSurface(const Field& positions, const mesh::BodyMesh& mesh, std::vector<mesh::FacetNodeNumbers> facets);
+  /// The triangles of a garment (quadratic ones) as they move; sewn nodes are one. Throws std::invalid_argument for linear ones.
+  MasterSurface(const Field& positions, const mesh::GarmentMesh& garment);
 
   bool deformable() const { return positions_.count > 0; }
   int facets() const { return static_cast<int>(facets_.size()); }
   mesh::FacetKind kind() const { return kind_; }
   const FacetDomain& domain() const { return *domain_; }
   double mean_edge() const { return mean_edge_; }  ///< m
-  /// Nodes of the body, on the surface or not.
+  /// Nodes of the mesh, on the surface or not.
   int nodes() const { return static_cast<int>(reference_.size()); }
   /// Entry of a component of a node; of a deformable one only.
   int entry(int node, int component) const { return positions_(node, component); }
@@ -45,6 +48,8 @@ class MasterSurface {
   Site follow(const State& state, const Eigen::Vector3d& x, const Site& last) const;
 
  private:
+  MasterSurface(const Field& positions, mesh::FacetKind kind, std::vector<mesh::FacetNodeNumbers> facets,
+                std::vector<Eigen::Vector3d> reference, double mean_edge);
   /// Walks from `site` to the facet that x projects into; the first facet may be left by `stay` without leaving it.
   bool settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const;
   void connect();

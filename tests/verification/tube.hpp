@@ -9,6 +9,7 @@
 
 #include "cases/input/case.hpp"
 #include "solver/scene/garment_cells.hpp"
+#include "solver/scene/layers.hpp"
 #include "tests/scenes.hpp"
 
 namespace snug::tests {
@@ -71,7 +72,8 @@ inline solver::Meshes make_meshes(const input::Case& c) {
   const solver::Model model = solver::make_model(c, meshes.body);
   for (std::size_t g = 0; g < c.garments.size(); ++g)
     meshes.garments.push_back(mesh::make_tube_mesh(
-        c.garments[g], meshes.limb, solver::worn_cell_size(model, static_cast<int>(g), mesh::tube_fit(c.garments[g]), meshes.limb, meshes.body)));
+        c.garments[g], meshes.limb, solver::worn_cell_size(model, static_cast<int>(g), mesh::tube_fit(c.garments[g]), meshes.limb, meshes.body),
+        solver::placing_lift(model, meshes.garments)));
   return meshes;
 }
 

@@ -237,8 +237,15 @@ TEST_F(CaseDirectory, ContactsAndGarmentsThatDoNotFitTogetherAreNamed) {
   EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\n")), testing::HasSubstr("two contacts name no slave"));
   EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\nslave = \"cuff\"\n[[contact]]\nslave = \"cuff\"\n")),
               testing::HasSubstr("\"cuff\" is the slave of two contacts"));
-  EXPECT_THAT(all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\nslave = \"cuff\"\nmaster = \"band\"\n")),
-              testing::HasSubstr("a garment touches the skin"));
+  const auto lies = [&](const char* slave, const char* master) {
+    return all(errors_of(head + two_garments + "[[contact]]\n[[contact]]\nslave = \"" + slave + "\"\nmaster = \"" + master + "\"\n"));
+  };
+  EXPECT_EQ(lies("cuff", "band"), "");  // the second on the first
+  EXPECT_EQ(lies("cuff", "skin"), "");
+  EXPECT_THAT(lies("band", "cuff"), testing::HasSubstr("\"band\" is to lie on \"cuff\", which is listed after it; list garments from the skin outwards"));
+  EXPECT_THAT(lies("band", "band"), testing::HasSubstr("which is listed as itself"));
+  EXPECT_THAT(lies("cuff", "shirt"), testing::HasSubstr("\"shirt\", which is no garment of the case"));
+  EXPECT_THAT(all(errors_of(head + two_garments + "[contact]\nmaster = \"band\"\n")), testing::HasSubstr("every garment is to lie on \"band\""));
   EXPECT_THAT(all(errors_of(head + "[load]\nskin_pressure = \"1 kPa\"\n[contact]\nslave = \"top\"\nmaster = \"top\"\n")),
               testing::HasSubstr("touch itself"));
 }

@@ -94,6 +94,30 @@ TEST(Hems, TheLineLoadIsWhatThePressureDoesNotExplain) {
   }
 }
 
+// Other cloth goes on beyond an edge that lies on it, with less pressure: a step is no line load.
+TEST(Hems, AnEdgeOnOtherClothHasPressureOnBothSides) {
+  for (const double line_load : {0.0, 4.0}) {
+    RunResult run = worn(36, 18, 8, 0.0);
+    constexpr double middle = 0.26 * 9 / 18;  // between two rows of facets
+    auto& garment = run.garment;
+    GarmentEdge band{"band, upper", {}};
+    const int first = static_cast<int>(garment.current.size()), n = 2 * 36;
+    for (int i = 0; i < n; ++i) garment.current.push_back(on_tube(double(i) / n, middle));
+    garment.current.push_back(on_tube(0.0, middle - 0.06));
+    for (int i = 0; i < n; i += 2) {
+      band.sides.push_back({first + i, first + i + 1, first + (i + 2) % n});
+      garment.current.push_back(on_tube(double(i + 1) / n, middle - 0.01));
+      garment.triangles.push_back({first + i, first + (i + 2) % n, static_cast<int>(garment.current.size()) - 1, first + i + 1, first, first});
+    }
+    garment.edges.push_back(band);
+    const double row = 0.26 / 18 / 8;
+    for (ContactSample& s : run.samples)
+      if (s.at.z() < middle) s.force += 700.0 * s.area + (s.at.z() > middle - row ? line_load / row * s.area : 0.0);
+    keep_hems_apart(cell_of(36, 18), run);
+    EXPECT_NEAR(run.hems[2].line_load, line_load, 0.1);
+  }
+}
+
 // The largest pressure beside the hems does not know of a line load, whose peak in the complete field is what the mesh makes of
 // it; it is the pressure at the strip's border, which stands still from 24 cells round on.
 TEST(Hems, TheLargestPressureBesideThemDoesNotFollowTheMesh) {

@@ -257,12 +257,14 @@ TEST(Parts, AGarmentWithoutFrictionBesideOneThatRubsSlidesOff) {
   EXPECT_EQ(tests::solve(c, make_meshes(c)).status, postproc::Status::converged);
 }
 
-// Garments over one another do not touch each other in the scene, and the plan says so; side by side there is nothing to say.
+// The plan says what lies on what; a contact that names the skin leaves the garment under it out, and that is said, too.
 TEST(Parts, GarmentsOverOneAnotherAreSaid) {
   input::Case c = two_sleeves(0.06, 0.06, 0.05);
-  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of low with high: not available yet; over one another at heights 50 to 60 mm"));
-  c.garments[1].position = 0.06;
-  EXPECT_FALSE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of low with high"));
+  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_in, "contact of high: weighted gaps, hat multipliers, on low where it lies over it, else on the skin"));
+  c.contacts.front().master = "skin";
+  EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "contact of high with low: the case lays it on the skin alone; over one another at heights 50 to 60 mm"));
+  c.contacts.front().master = "", c.garments[1].position = 0.061, c.garments[1].pattern.length = 0.05;
+  EXPECT_FALSE(says(tests::plan(c, make_meshes(c)).parts_in, "on low"));
 }
 
 // The echo of a model names no entry: everything stands in it in SI, and a case read from it is the same model.
