@@ -109,7 +109,7 @@ void mesh_garments(const std::vector<mesh::GarmentCut>& cuts, PreparedCase& prep
   add(prepared.meshes.limb.remarks), add(implausible(prepared.model, prepared.meshes, fits));
   for (std::size_t g = 0; g < cuts.size(); ++g) {
     if (cuts[g].pattern) add(cuts[g].pattern->warnings);
-    prepared.meshes.garments.push_back(mesh::make_garment_mesh(cuts[g], prepared.meshes.limb, cell_sizes[g], placing_lift(prepared.model, prepared.meshes.garments)));
+    prepared.meshes.garments.push_back(mesh::make_garment_mesh(cuts[g], prepared.meshes.limb, cell_sizes[g], placing_lift(prepared.model, prepared.meshes.garments, fits[g])));
   }
 }
 

@@ -27,14 +27,12 @@ int first_under(const Model& model, int g) {
   return static_cast<int>(named - model.garments.begin());
 }
 
-bool share_heights(const input::GarmentSpec& one, const input::GarmentSpec& other) {
-  return one.position < other.position + other.pattern.length && other.position < one.position + one.pattern.length;
-}
+bool share_heights(const mesh::GarmentFit& one, const mesh::GarmentFit& other) { return one.lower < other.upper && other.lower < one.upper; }
 
-double lift(const Model& model, const std::vector<mesh::GarmentMesh>& placed, int g) {
+double lift(const Model& model, const std::vector<mesh::GarmentMesh>& placed, int g, const mesh::GarmentFit& fit) {
   double below = 0.0;
   for (int k = first_under(model, g); k >= 0; --k)
-    if (share_heights(model.garments[k].spec, model.garments[g].spec)) below = std::max({below, lift(model, placed, k), placed[k].stand_off});
+    if (share_heights(placed[k].fit, fit)) below = std::max({below, lift(model, placed, k, placed[k].fit), placed[k].stand_off});
   return below + lift_of_a_layer;
 }
 
@@ -72,8 +70,8 @@ std::vector<std::string> master_names(const std::vector<mesh::GarmentMesh>& garm
   return names;
 }
 
-double placing_lift(const Model& model, const std::vector<mesh::GarmentMesh>& placed) {
-  return lift(model, placed, static_cast<int>(placed.size()));
+double placing_lift(const Model& model, const std::vector<mesh::GarmentMesh>& placed, const mesh::GarmentFit& next) {
+  return lift(model, placed, static_cast<int>(placed.size()), next);
 }
 
 }  // namespace snug::solver

@@ -18,7 +18,7 @@ std::vector<int> layers_under(const Model& model, const std::vector<mesh::Garmen
 MasterStack over_layers(const Layout& layout, const std::vector<mesh::GarmentMesh>& garments, const std::vector<int>& under, MasterSurface ground);
 std::vector<std::string> master_names(const std::vector<mesh::GarmentMesh>& garments, const std::vector<int>& under);
 
-/// How far off the skin the next garment is placed (m): outside all that cover heights of its own and are placed already.
-double placing_lift(const Model& model, const std::vector<mesh::GarmentMesh>& placed);
+/// How far off the skin the next garment, of this fit, is placed (m): outside all that cover heights of its own and are placed already.
+double placing_lift(const Model& model, const std::vector<mesh::GarmentMesh>& placed, const mesh::GarmentFit& next);
 
 }  // namespace snug::solver

@@ -73,7 +73,7 @@ inline solver::Meshes make_meshes(const input::Case& c) {
   for (std::size_t g = 0; g < c.garments.size(); ++g)
     meshes.garments.push_back(mesh::make_tube_mesh(
         c.garments[g], meshes.limb, solver::worn_cell_size(model, static_cast<int>(g), mesh::tube_fit(c.garments[g]), meshes.limb, meshes.body),
-        solver::placing_lift(model, meshes.garments)));
+        solver::placing_lift(model, meshes.garments, mesh::tube_fit(c.garments[g]))));
   return meshes;
 }
 
