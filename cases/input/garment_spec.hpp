@@ -75,6 +75,7 @@ struct GarmentSpec {
   std::string name = "garment";
   PatternSpec pattern;
   MaterialEntry fabric;
+  FabricBranch branch = FabricBranch::loading;
   WarpDirection warp = WarpDirection::along;
   double position = 0.0;       ///< m; height of the lower edge as placed
   std::optional<double> seam;  ///< rad; where it lies round the limb
@@ -91,6 +92,7 @@ struct GarmentSpec {
     field(Field{.key = "pattern", .meaning = "the pieces as cut: a table, or the file of a sewing pattern", .required = true, .text_key = "file"},
           self.pattern);
     field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values; left out: the pattern's"}, self.fabric);
+    field(Field{.key = "branch", .meaning = "curve of the fabric that the garment runs on: loading, or unloading after it was stretched further"}, self.branch);
     field(Field{.key = "warp", .meaning = "warp (wale) direction against the body's axis"}, self.warp);
     field(Field{.key = "position", .unit = "m", .meaning = "height of the lowest point as placed", .required = true},
           self.position);

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include "cases/input/echo.hpp"
 #include "cases/input/reader.hpp"
 #include "materials/database/shipped.hpp"
+#include "materials/fabric/fabric_data.hpp"
 #include "materials/fabric/inputs.hpp"
 #include "materials/fabric/measured.hpp"
 
@@ -17,6 +20,10 @@ void check(const KesTension& tension, const input::Location& where, input::Diagn
   if (tension.Fm.has_value() == tension.EMT.has_value())
     diagnostics.error(where, tension.Fm ? "both Fm and EMT are given" : "neither Fm nor EMT is given",
                       "write one of them, for instance Fm = \"50 gf/cm\"; the other follows from LT and WT");
+  constexpr double least_linearity = 0.1;  // that of LT itself: below, cloth has no stiffness at rest
+  if (tension.RT && 0.01 * *tension.RT * tension.LT < least_linearity)
+    diagnostics.error(where, fmt::format("with RT = {} % the linearity of the unloading curve, LT RT/100, is {:.3g}", *tension.RT, 0.01 * *tension.RT * tension.LT),
+                      fmt::format("it must be at least {}: RT is a percentage, about 40 to 90 % of knits and wovens", least_linearity));
 }
 void check(const LinearFabric&, const input::Table&, input::Diagnostics&) {}
 void check(const CubicFabric&, const input::Table&, input::Diagnostics&) {}
@@ -42,49 +49,63 @@ Form form_of(const input::Table& table, input::Diagnostics& diagnostics) {
   else return form;
 }
 
-template <class Form>
-Fabric build(const input::Table& table, input::Diagnostics& diagnostics) {
-  return form_of<Form>(table, diagnostics).fabric();
-}
-
 const std::vector<std::string> fabric_laws = {"linear", "cubic", "kes", "curve", "fast"};
 
 // Every form of fabric, visibly: adding one is a struct in fabric/inputs.hpp and a line here.
-Fabric read_fabric(const input::Table& table) {
+template <class Visit>
+auto with_form(const input::Table& table, Visit visit) {
   input::Diagnostics diagnostics;
   const std::string law = input::read_choice(table, "law", fabric_laws, diagnostics);
   diagnostics.throw_if_any();
-  if (law == "curve") return build<CurveFabric>(table, diagnostics);
-  if (law == "fast") return build<FastFabric>(table, diagnostics);
-  if (law == "linear") return build<LinearFabric>(table, diagnostics);
-  if (law == "cubic") return build<CubicFabric>(table, diagnostics);
-  return build<KesFabric>(table, diagnostics);
+  if (law == "curve") return visit(form_of<CurveFabric>(table, diagnostics));
+  if (law == "fast") return visit(form_of<FastFabric>(table, diagnostics));
+  if (law == "linear") return visit(form_of<LinearFabric>(table, diagnostics));
+  if (law == "cubic") return visit(form_of<CubicFabric>(table, diagnostics));
+  return visit(form_of<KesFabric>(table, diagnostics));
 }
 
-}  // namespace
+/// Of laws that know a way back.
+template <class Form>
+std::optional<Fabric> unloading_of(const Form& form) {
+  if constexpr (requires { form.unloading_fabric(); }) return form.unloading_fabric();
+  return std::nullopt;
+}
 
-Fabric find_fabric(const input::MaterialEntry& asked) {
-  if (const std::string ending = std::filesystem::path(asked.name).extension().string(); ending == ".csv" || ending == ".txt" || ending == ".tsv")
-    throw input::InputError(asked.where, "\"" + asked.name + "\" is a file, and no fabric is called so",
-                            "write the curves of a strip test as fabric = { law = \"curve\", warp = \"" + asked.name +
-                                "\", weft = \"...\", width = \"50 mm\", shear = \"...\" }");
-  const Entry entry = find_entry(asked, shipped(), "fabric");
-  Fabric fabric = read_fabric(entry.table);
+Fabric with_name(Fabric fabric, const Entry& entry) {
   fabric.name = entry.name;
   fabric.source = entry.provenance.text();
   return fabric;
 }
 
+}  // namespace
+
+Fabric find_fabric(const input::MaterialEntry& asked, input::FabricBranch branch) {
+  if (const std::string ending = std::filesystem::path(asked.name).extension().string(); ending == ".csv" || ending == ".txt" || ending == ".tsv")
+    throw input::InputError(asked.where, "\"" + asked.name + "\" is a file, and no fabric is called so",
+                            "write the curves of a strip test as fabric = { law = \"curve\", warp = \"" + asked.name +
+                                "\", weft = \"...\", width = \"50 mm\", shear = \"...\" }");
+  const Entry entry = find_entry(asked, shipped(), "fabric");
+  const auto fabric = with_form(entry.table, [&](const auto& form) -> std::optional<Fabric> {
+    return branch == input::FabricBranch::loading ? form.fabric() : unloading_of(form);
+  });
+  if (!fabric)
+    throw input::InputError(asked.where, "the fabric " + entry.name + " has no unloading curve",
+                            "give its RT (law = \"kes\") or the rows of its test back to no force (law = \"curve\"), or leave branch out");
+  return with_name(*fabric, entry);
+}
+
+FabricData fabric_data(const input::MaterialEntry& asked) {
+  const Entry entry = find_entry(asked, shipped(), "fabric");
+  return with_form(entry.table, [&](const auto& form) {
+    FabricData data{.loading = with_name(form.fabric(), entry), .unloading = unloading_of(form), .sheet = form.sheet};
+    if (data.unloading) data.unloading = with_name(*data.unloading, entry);
+    return data;
+  });
+}
+
 input::Table written_out_fabric(const input::MaterialEntry& asked) {
   const Entry entry = find_entry(asked, shipped(), "fabric");
-  input::Diagnostics diagnostics;
-  const std::string law = input::read_choice(entry.table, "law", fabric_laws, diagnostics);
-  const auto in_si = [&]<class Form>(Form) {
-    return input::to_table(form_of<Form>(entry.table, diagnostics));
-  };
-  if (law == "curve") return written_out(entry, in_si(CurveFabric{}), {});
-  if (law == "fast") return written_out(entry, in_si(FastFabric{}), {});
-  return written_out(entry, law == "linear" ? in_si(LinearFabric{}) : law == "cubic" ? in_si(CubicFabric{}) : in_si(KesFabric{}), {});
+  return written_out(entry, with_form(entry.table, [](const auto& form) { return input::to_table(form); }), {});
 }
 
 std::vector<std::string> fabric_names() { return shipped().keys(); }

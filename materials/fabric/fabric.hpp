@@ -62,6 +62,9 @@ class TensionCurve {
   Value inside(double green_strain) const;
 };
 
+/// a em of the exponential curve of that linearity, 0 < LT < 2: the x of TensionCurve::kes.
+double exponent_of_linearity(double linearity);
+
 /// Bending stiffness per width, N m.
 struct BendingStiffness {
   double warp = 0.0, weft = 0.0;
@@ -94,8 +97,9 @@ struct Fabric {
 /// wear trial, 0.25 kg/m2 and a bending length (B / (weight g))^(1/3) of 12 mm (theirs: 9.8 to 17 mm).
 Fabric with_usual_sheet(Fabric fabric);
 
-/// Shipped fabric (materials/data/fabrics.toml) or inline table. Throws input::InputError with the nearest known name.
-Fabric find_fabric(const input::MaterialEntry& asked);
+/// Shipped fabric (materials/data/fabrics.toml) or inline table, on one of its branches. Throws input::InputError with the nearest known
+/// name, and where the unloading branch is asked for and was not measured.
+Fabric find_fabric(const input::MaterialEntry& asked, input::FabricBranch branch = input::FabricBranch::loading);
 /// The fabric as a table of its values in SI, which reads back to the same. The entry has been found before.
 input::Table written_out_fabric(const input::MaterialEntry& asked);
 std::vector<std::string> fabric_names();

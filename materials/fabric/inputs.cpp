@@ -31,4 +31,10 @@ Fabric CubicFabric::fabric() const {
 
 Fabric KesFabric::fabric() const { return assemble(tension.curve(), (weft ? *weft : tension).curve(), G, sheet); }
 
+std::optional<Fabric> KesFabric::unloading_fabric() const {
+  const KesTension& across = weft ? *weft : tension;
+  if (!tension.RT || !across.RT) return std::nullopt;
+  return assemble(tension.unloading_curve(), across.unloading_curve(), G, sheet);
+}
+
 }  // namespace snug::materials

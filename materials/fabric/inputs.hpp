@@ -6,36 +6,9 @@
 
 #include "cases/input/field.hpp"
 #include "materials/fabric/fabric.hpp"
+#include "materials/fabric/sheet.hpp"
 
 namespace snug::materials {
-
-/// What every form has.
-struct Sheet {
-  double poisson = 0.0;
-  double weight = 0.0, thickness = 0.0, bending = 0.0;  ///< kg/m2, m, N m
-  std::optional<double> MIU;
-  std::optional<double> bending_weft;                   ///< N m
-
-  BendingStiffness bending_stiffness() const { return {bending, bending_weft.value_or(bending)}; }
-
-  template <class Self, class Visitor>
-  static void describe(Self& self, Visitor&& field) {
-    using namespace input;
-    field(Field{.key = "poisson",
-                .meaning = "coupling of warp and weft by the smallest stiffness",
-                .bound = {.low = 0.0, .high = 1.0, .high_open = true}},
-          self.poisson);
-    field(Field{.key = "weight", .unit = "kg/m2", .meaning = "mass per area", .bound = non_negative()}, self.weight);
-    field(Field{.key = "thickness", .unit = "m", .meaning = "thickness", .bound = non_negative()}, self.thickness);
-    field(Field{.key = "B", .unit = "N m", .meaning = "bending stiffness per width, of cloth that stands off the skin", .bound = non_negative()},
-          self.bending);
-    field(Field{.key = "MIU", .meaning = "mean coefficient of surface friction; what contact.friction is where the case does not say",
-                .bound = between(0.0, 2.0)},
-          self.MIU);
-    field(Field{.key = "B_weft", .unit = "N m", .meaning = "bending stiffness of the weft, where it differs", .bound = positive()},
-          self.bending_weft);
-  }
-};
 
 /// law = "linear": S = stiffness * E in warp and weft.
 struct LinearFabric {
@@ -83,11 +56,15 @@ struct CubicFabric {
 /// The tensile part of a KES test in one direction.
 struct KesTension {
   double LT = 0.0, WT = 0.0;      ///< 1, J/m2
-  std::optional<double> Fm, EMT;  ///< N/m, percent; one of the two
+  std::optional<double> Fm = {}, EMT = {};  ///< N/m, percent; one of the two
+  std::optional<double> RT = {};             ///< percent
 
   /// Fm, or 2 WT/(LT EMT).
   double maximum_force() const { return Fm ? *Fm : 200.0 * WT / (LT * *EMT); }
   TensionCurve curve() const { return TensionCurve::kes(LT, WT, maximum_force()); }
+  /// From the turning point (EMT, Fm) back to 0, with RT of the work: the exponential of the linearity LT RT/100, which ends at the
+  /// same point. RT is given.
+  TensionCurve unloading_curve() const { return TensionCurve::kes(0.01 * *RT * LT, 0.01 * *RT * WT, maximum_force()); }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -98,6 +75,11 @@ struct KesTension {
           self.WT);
     field(Field{.key = "Fm", .unit = "N/m", .meaning = "largest force of the test", .bound = positive()}, self.Fm);
     field(Field{.key = "EMT", .unit = "%", .meaning = "elongation at Fm in percent, instead of Fm", .bound = positive()}, self.EMT);
+    field(Field{.key = "RT",
+                .unit = "%",
+                .meaning = "tensile resilience in percent: work of the unloading curve over WT; what branch = \"unloading\" needs",
+                .bound = {.low = 0.0, .high = 100.0, .low_open = true}},
+          self.RT);
   }
 };
 
@@ -109,11 +91,13 @@ struct KesFabric {
   Sheet sheet;
 
   Fabric fabric() const;
+  /// Nothing where the RT of warp or weft is missing.
+  std::optional<Fabric> unloading_fabric() const;
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
     KesTension::describe(self.tension, field);
-    field(Field{.key = "weft", .meaning = "LT, WT, Fm or EMT of the weft, where they differ"}, self.weft);
+    field(Field{.key = "weft", .meaning = "LT, WT, Fm or EMT, RT of the weft, where they differ"}, self.weft);
     field(Field{.key = "G", .unit = "N/(m rad)", .meaning = "shear stiffness", .required = true, .bound = positive()},
           self.G);
     Sheet::describe(self.sheet, field);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/input/csv.hpp"
 #include "cases/input/units.hpp"
+#include "materials/fabric/raw_test.hpp"
 
 namespace snug::materials {
 
@@ -58,46 +58,32 @@ std::vector<CurvePoint> thinned(const std::vector<CurvePoint>& points) {
   return few;
 }
 
-/// The first of these names that the table has, or -1.
-int column_of(const input::Csv& csv, const std::vector<std::string>& names) {
-  for (const std::string& name : names)
-    if (const int column = csv.find(name); column >= 0) return column;
-  return -1;
-}
-
-/// The column in SI, times `scale` where its unit is that of `si`, or as it is where it is that of `other`.
-std::vector<double> column_in(const input::Csv& csv, int column, const std::string& si, double scale, const std::string& other, const char* key,
-                              input::Diagnostics& diagnostics) {
-  const input::Csv::Column& head = csv.columns[column];
-  double factor = 1.0;
-  if (input::unit_factor(head.unit, other, factor)) return input::numbers(csv, head.name, other, diagnostics);
-  std::vector<double> values = input::numbers(csv, head.name, si, diagnostics);
-  if (!values.empty() && !(scale > 0.0))
-    diagnostics.error(head.where, fmt::format("{} is {} here", head.name, input::dimension_name(si)), fmt::format("add {} to the fabric in case.toml, e.g. {} = \"{}\"", key, key, "50 mm"));
-  for (double& value : values) value *= scale > 0.0 ? 1.0 / scale : 1.0;
-  return values;
-}
-
 std::vector<CurvePoint> points_of(const std::filesystem::path& file, double width, double gauge_length) {
+  const auto remedy = [](const char* key) { return fmt::format("add {0} to the fabric in case.toml, e.g. {0} = \"50 mm\"", key); };
   input::Diagnostics diagnostics;
   const input::Csv csv = input::read_csv(file, diagnostics);
   diagnostics.throw_if_any();
-  const int relative = column_of(csv, {"strain", "tensile_strain", "elongation", "extension_strain", "engineering_strain", "nominal_strain", "e"});
-  const int absolute = column_of(csv, {"extension", "displacement", "crosshead", "elongation_length"});
-  const int strain = relative >= 0 ? relative : absolute;
-  const int force = column_of(csv, {"force", "load", "tensile_force", "standard_force", "tension", "f"});
-  if (strain < 0 || force < 0)
-    throw InputError({csv.file, csv.columns[0].where.line, 1}, fmt::format("the table has no column {}", strain < 0 ? "strain or extension" : "force or load"),
-                     "name them so, e.g. strain [%], force [N]");
-  if (csv.columns[strain].unit.empty() && relative >= 0)
-    throw InputError(csv.columns[strain].where, fmt::format("{} has no unit", csv.columns[strain].name), "write strain [%], or strain [1] where 1 is 100 %");
-  const std::vector<double> strains = column_in(csv, strain, "m", gauge_length, "1", "gauge_length", diagnostics);
-  const std::vector<double> forces = column_in(csv, force, "N", width, "N/m", "width", diagnostics);
-  diagnostics.throw_if_any();
   std::vector<CurvePoint> points;
-  for (std::size_t r = 0; r < strains.size(); ++r) points.push_back({strains[r], forces[r]});
+  for (const Sample& sample : tensile_test(csv, {width, gauge_length, remedy("width"), remedy("gauge_length")}).samples) points.push_back({sample.x, sample.y});
+  for (std::size_t p = end_of_loading(points) + 1; p < points.size(); ++p)  // slack strips and offsets of the way back
+    points[p] = {std::max(0.0, points[p].strain), std::max(0.0, points[p].force)};
   return points;
 }
+
+/// Several cycles in one table would become one curve that belongs to none of them.
+void refuse_cycles(const std::vector<CurvePoint>& loading, const input::Location& where) {
+  constexpr double noise = 0.1;  // of the largest strain
+  double furthest = 0.0;
+  for (const CurvePoint& point : loading) {
+    furthest = std::max(furthest, point.strain);
+    if (point.strain < furthest - noise * loading.back().strain)
+      throw InputError(where, fmt::format("the elongation goes back from {:.3g} % to {:.3g} % before the force is largest", 100.0 * furthest, 100.0 * point.strain),
+                       "give one cycle: the rows from rest to the largest force, and those back to rest");
+  }
+}
+
+/// What a force counts from: a strip that is held under a pretension at no strain.
+double pretension(const std::vector<CurvePoint>& points) { return points.front().strain > 0.0 ? 0.0 : std::max(0.0, points.front().force); }
 
 Fabric assembled(const TensionCurve& warp, const TensionCurve& weft, double shear, const Sheet& sheet) {
   Fabric fabric = LinearFabric{.warp = 1.0, .weft = 1.0, .shear = shear, .sheet = sheet}.fabric();
@@ -106,13 +92,20 @@ Fabric assembled(const TensionCurve& warp, const TensionCurve& weft, double shea
   return fabric;
 }
 
-}  // namespace
+/// Rest, and the knots that rise from there in strain and force.
+std::vector<CurvePoint> from_rest(const std::vector<CurvePoint>& knots, double least_force) {
+  std::vector<CurvePoint> rising = {{}};
+  for (const CurvePoint& knot : knots)
+    if (knot.strain > rising.back().strain && knot.force > rising.back().force && knot.force >= least_force) rising.push_back(knot);
+  return rising;
+}
 
-TensionCurve curve_through(const std::vector<CurvePoint>& points, const input::Location& where) {
+std::vector<CurvePoint> loading_knots(const std::vector<CurvePoint>& points, const input::Location& where) {
   const std::string form = "give elongations that rise from 0 and the force of each, two rows at least";
   if (points.size() < 2) throw InputError(where, fmt::format("the curve has {} points", points.size()), form);
   const std::size_t last = end_of_loading(points);
   std::vector<CurvePoint> loading(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  refuse_cycles(loading, where);
   const double start_force = loading.front().force, start_strain = loading.front().strain;
   for (CurvePoint& point : loading)  // a pretension, and the slack that is taken up before it
     if (start_strain > 0.0 || start_force > 0.0) point.force = std::max(0.0, point.force - (start_strain > 0.0 ? 0.0 : start_force));
@@ -120,10 +113,45 @@ TensionCurve curve_through(const std::vector<CurvePoint>& points, const input::L
   const std::vector<CurvePoint> knots = thinned(rising(loading));
   if (knots.size() < 2 || !(knots.back().strain > 0.0) || !(knots.back().force > 0.0))
     throw InputError(where, fmt::format("the force does not rise over the elongation ({} points up to the largest force)", loading.size()), form);
-  std::vector<double> strain = {0.0}, force = {0.0};
-  for (const CurvePoint& knot : knots)
-    if (knot.strain > strain.back() && knot.force > force.back()) strain.push_back(knot.strain), force.push_back(knot.force);
+  return from_rest(knots, 0.0);
+}
+
+/// None where the force does not come back.
+std::vector<CurvePoint> unloading_knots(const std::vector<CurvePoint>& points) {
+  constexpr double at_rest = 0.02, first = 0.01;  // of the largest force
+  const std::size_t turn = end_of_loading(points);
+  const double offset = pretension(points), largest = points[turn].force - offset;
+  std::vector<CurvePoint> back;
+  for (std::size_t p = turn; p < points.size(); ++p) {
+    back.push_back({points[p].strain, points[p].force - offset});
+    if (back.back().force <= 0.0) break;
+  }
+  if (back.size() < 3 || back.back().force > at_rest * largest) return {};
+  std::reverse(back.begin(), back.end());
+  return from_rest(thinned(rising(back)), first * largest);
+}
+
+TensionCurve through(const std::vector<CurvePoint>& knots) {
+  std::vector<double> strain, force;
+  for (const CurvePoint& knot : knots) strain.push_back(knot.strain), force.push_back(knot.force);
   return TensionCurve::through(strain, force);
+}
+
+}  // namespace
+
+TensionCurve curve_through(const std::vector<CurvePoint>& points, const input::Location& where) { return through(loading_knots(points, where)); }
+
+std::optional<TensionCurve> unloading_curve_through(const std::vector<CurvePoint>& points) {
+  const std::vector<CurvePoint> knots = unloading_knots(points);
+  return knots.size() < 2 ? std::nullopt : std::optional(through(knots));
+}
+
+std::vector<CurvePoint> knots_of(const std::vector<CurvePoint>& points, const input::Location& where) {
+  std::vector<CurvePoint> knots = loading_knots(points, where);
+  const std::vector<CurvePoint> back = unloading_knots(points);
+  for (std::size_t k = back.size(); k-- > 0;)
+    if (k + 1 < back.size()) knots.push_back(back[k]);  // the turn stands there already
+  return knots;
 }
 
 CurveFabric CurveFabric::with_points(const input::Location& where) const {
@@ -141,6 +169,12 @@ CurveFabric CurveFabric::with_points(const input::Location& where) const {
 }
 
 Fabric CurveFabric::fabric() const { return assembled(curve_through(warp_points, {}), curve_through(weft_points, {}), shear, sheet); }
+
+std::optional<Fabric> CurveFabric::unloading_fabric() const {
+  const auto along = unloading_curve_through(warp_points), across = unloading_curve_through(weft_points);
+  if (!along || !across) return std::nullopt;
+  return assembled(*along, *across, shear, sheet);
+}
 
 std::vector<CurvePoint> FastTension::points() const {
   std::vector<CurvePoint> points = {{}};

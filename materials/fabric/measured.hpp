@@ -35,11 +35,13 @@ struct CurveFabric {
   CurveFabric with_points(const input::Location& where) const;
   /// Has its points.
   Fabric fabric() const;
+  /// Nothing where a table ends before the force is back at rest.
+  std::optional<Fabric> unloading_fabric() const;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
     using namespace input;
-    field(Field{.key = "warp", .meaning = "table of a strip test along the warp: a column strain [%] or extension [mm], and force [N] or force [N/m]"}, self.warp);
+    field(Field{.key = "warp", .meaning = "table of a strip test along the warp: a column strain [%] or extension [mm], and force [N] or force [N/m]; unloading in the rows after the largest force, or in a column unloading"}, self.warp);
     field(Field{.key = "weft", .meaning = "the same along the weft"}, self.weft);
     field(Field{.key = "warp_points", .meaning = "instead of a table: { strain = ..., force = \"...\" } a point"}, self.warp_points);
     field(Field{.key = "weft_points", .meaning = "the same of the weft"}, self.weft_points);
@@ -90,6 +92,14 @@ struct FastFabric {
 /// The curve through points of a test: the loading branch, up to the largest force; noise is taken out so that the force never falls.
 /// Throws input::InputError at `where`: fewer than two points, no force, no strain.
 TensionCurve curve_through(const std::vector<CurvePoint>& points, const input::Location& where);
+
+/// The curve back from the largest force, through what comes after it in a test of one cycle; nothing where the force does not come back
+/// to a fiftieth of it. Cloth keeps some elongation: up to the first hundredth of the force the curve is straight from 0, so that it
+/// stays one of cloth with a stiffness.
+std::optional<TensionCurve> unloading_curve_through(const std::vector<CurvePoint>& points);
+
+/// The points of a test that its curves go through: loading from rest, and back to rest where the test has it. They give the same curves.
+std::vector<CurvePoint> knots_of(const std::vector<CurvePoint>& points, const input::Location& where);
 
 /// A fabric's table in which stiffnesses given as stresses ("2 MPa") are forces per width: times `thickness`. Reports what has none.
 input::Table with_forces_per_width(const input::Table& table, input::Diagnostics& diagnostics);

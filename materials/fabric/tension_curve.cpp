@@ -25,18 +25,6 @@ double linearity_half(double x) {
   return 1.0 / x - 1.0 / std::expm1(x);
 }
 
-// x = a em of the exponential curve. g(-x) = 1 - g(x) gives LT > 1; bisection because it runs once a curve.
-double exponent_of_linearity(double linearity) {
-  const double target = 0.5 * std::min(linearity, 2.0 - linearity);
-  double low = 0.0, high = 1.0 / target;
-  for (int k = 0; k < 200 && high - low > 1e-16 * high; ++k) {
-    const double middle = 0.5 * (low + high);
-    (linearity_half(middle) > target ? low : high) = middle;
-  }
-  const double x = 0.5 * (low + high);
-  return linearity == 1.0 ? 0.0 : (linearity < 1.0 ? x : -x);
-}
-
 // Integral, value and slope over e of F(e) = k0 (e^(a e) - 1)/a.
 TensionCurve::Value exponential(double k0, double a, double e) {
   const double y = a * e;
@@ -53,6 +41,18 @@ TensionCurve::Value cubic_law(double k1, double k3, double e) {
 }
 
 }  // namespace
+
+// x = a em of the exponential curve. g(-x) = 1 - g(x) gives LT > 1; bisection because it runs once a curve.
+double exponent_of_linearity(double linearity) {
+  const double target = 0.5 * std::min(linearity, 2.0 - linearity);
+  double low = 0.0, high = 1.0 / target;
+  for (int k = 0; k < 200 && high - low > 1e-16 * high; ++k) {
+    const double middle = 0.5 * (low + high);
+    (linearity_half(middle) > target ? low : high) = middle;
+  }
+  const double x = 0.5 * (low + high);
+  return linearity == 1.0 ? 0.0 : (linearity < 1.0 ? x : -x);
+}
 
 // dW = F de = S dE because dE = (1 + e) de, so the energy needs no change; S' = (F' - S)/(1 + e)^2.
 TensionCurve::Value TensionCurve::inside(double green) const {

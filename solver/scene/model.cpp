@@ -46,7 +46,7 @@ ContactModel make_contact(const input::ContactSpec& spec, const std::string& sla
 
 void add_garments(const input::Case& description, Collector& collect, Model& model) {
   for (const input::GarmentSpec& garment : description.garments)
-    collect([&] { model.garments.push_back({garment, materials::find_fabric(garment.fabric)}); });
+    collect([&] { model.garments.push_back({garment, materials::find_fabric(garment.fabric, garment.branch)}); });
 }
 
 void add_contacts(const input::Case& description, Model& model) {
