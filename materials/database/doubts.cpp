@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "materials/fabric/sheet.hpp"
+
 namespace snug::materials {
 
 namespace {
@@ -33,6 +35,13 @@ void compare_work(const Entity& entity, const std::string& direction, std::vecto
   doubts.push_back(fmt::format("{}WT is {:.4g} J/m2, LT Fm EMT/2 {:.4g} J/m2", direction, *WT, 0.5 * *LT * *Fm * *EMT));
 }
 
+void compare_compression(const Entity& entity, std::vector<std::string>& doubts) {
+  const Compression compression{.LC = number(entity, "LC"), .WC = number(entity, "WC"), .T0 = number(entity, "T0"), .Tm = number(entity, "Tm"), .Pm = number(entity, "Pm")};
+  const auto decrease = compression.decrease(), thickness = compression.T0 ? compression.T0 : number(entity, "thickness");
+  if (!decrease || !thickness || *decrease < *thickness) return;
+  doubts.push_back(fmt::format("LC and WC press it by {:.3g} mm, the thickness is {:.3g} mm", 1e3 * *decrease, 1e3 * *thickness));
+}
+
 void compare_range(const Datum& datum, std::vector<std::string>& doubts) {
   const auto value = plain_number(datum.value), low = plain_number(datum.low), high = plain_number(datum.high);
   if (datum.type == DatumType::value && value && low && high && (*value < *low || *value > *high))
@@ -46,6 +55,7 @@ std::vector<std::string> doubts_of(const Entity& entity) {
   std::vector<std::string> doubts;
   compare_density(entity, doubts);
   for (const char* direction : {"", "weft."}) compare_work(entity, direction, doubts);
+  compare_compression(entity, doubts);
   for (const Datum& datum : entity.data) compare_range(datum, doubts);
   return doubts;
 }

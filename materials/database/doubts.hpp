@@ -10,7 +10,8 @@ namespace snug::materials {
 
 /// One line each, empty where nothing is doubtful. Compared are, where the entity has them: weight over thickness with
 /// the density; the work of a tensile test with its linearity, largest force and elongation, WT = LT Fm EMT/2 (warp and
-/// weft); each value with its own range. More than a twentieth apart is doubtful: measured digits differ by less.
+/// weft); what compression takes off with the thickness; each value with its own range. More than a twentieth apart is
+/// doubtful: measured digits differ by less.
 std::vector<std::string> doubts_of(const Entity& entity);
 
 }  // namespace snug::materials

@@ -7,6 +7,7 @@
 #include "materials/database/sha256.hpp"
 #include "materials/database/shipped.hpp"
 #include "materials/fabric/inputs.hpp"
+#include "materials/fabric/measured.hpp"
 #include "materials/laws/inputs.hpp"
 
 namespace snug::materials {
@@ -61,9 +62,19 @@ void add_keys(std::vector<std::string>& keys) {
     keys.push_back(row.key.substr(0, row.key.find_first_of(".[")));
 }
 
+/// In the library a curve stands as its points: it names no files of a case, and needs no size of the strip.
+void add_curve_keys(std::vector<std::string>& keys) {
+  std::vector<std::string> all;
+  add_keys<CurveFabric>(all);
+  for (const std::string& key : all)
+    if (key != "warp" && key != "weft" && key != "width" && key != "gauge_length") keys.push_back(key);
+}
+
 std::vector<std::string> law_keys_of(Kind kind) {
   std::vector<std::string> keys = common_keys();
-  if (kind == Kind::fabric) add_keys<LinearFabric>(keys), add_keys<CubicFabric>(keys), add_keys<KesFabric>(keys);
+  if (kind == Kind::fabric)
+    add_keys<LinearFabric>(keys), add_keys<CubicFabric>(keys), add_keys<KesFabric>(keys), add_curve_keys(keys),
+        add_keys<FastFabric>(keys);
   if (kind == Kind::tissue) {
     for_each_law_input([&]<class Input>() { add_keys<Input>(keys); });
     keys.insert(keys.end(), {"range", "density"});
@@ -78,6 +89,8 @@ std::vector<std::string> keys_of_law(Kind kind, const std::string& law) {
     if (law == "linear") add_keys<LinearFabric>(keys);
     if (law == "cubic") add_keys<CubicFabric>(keys);
     if (law == "kes") add_keys<KesFabric>(keys);
+    if (law == "curve") add_curve_keys(keys);
+    if (law == "fast") add_keys<FastFabric>(keys);
   } else {
     for_each_law_input([&]<class Input>() {
       if (Input::page().name == law) add_keys<Input>(keys);
@@ -91,25 +104,9 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The table of an entity as the reader of its law wants it.
-input::MaterialEntry as_entry(const Entity& entity, const input::MaterialEntry& asked, UnitBook& units) {
-  const Datum* law = entity.find("law");
-  if (!law)
-    throw input::InputError(asked.where,
-                            "the " + input::text_of(entity.kind) + " \"" + entity.id + "\" of the library has no law",
-                            "say which one reads its numbers, e.g. snug materials edit \"" + entity.id +
-                                "\" law=" + (entity.kind == Kind::fabric ? "kes" : "neo-Hooke"));
-  const input::Table all = law_table(entity, units);
-  const std::vector<std::string> keys = keys_of_law(entity.kind, law->value);
-  input::MaterialEntry entry{.name = {}, .table = {}, .where = asked.where};
-  for (const input::Entry& one : all.entries)
-    if (contains(keys, one.key)) entry.table.entries.push_back({one.key, asked.where, one.value});
-  if (!entry.table.find("source"))
-    entry.table.set("source", input::value_without_place("entity \"" + entity.id + "\" of the library"));
-  const bool has_both = entity.kind == Kind::fabric && entry.table.find("Fm") && entry.table.find("EMT");
-  if (has_both) entry.table.remove("EMT");  // one follows from the other; the force is what the law takes
-  entry.table.where = asked.where;
-  return entry;
+/// One follows from the other; the force is what the law takes.
+void keep_one_of_force_and_elongation(input::Table& tension) {
+  if (tension.find("Fm") && tension.find("EMT")) tension.remove("EMT");
 }
 
 input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, const std::filesystem::path& file,
@@ -118,7 +115,7 @@ input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, 
   if (!file.empty() && std::filesystem::exists(file, ignored)) {
     const Library library(library_settings(file, "snug"));
     const auto entity = library.find(asked.name);
-    if (entity && entity->kind == kind) return as_entry(*entity, asked, library.units());
+    if (entity && entity->kind == kind) return entry_of(*entity, asked.where, library.units());
     if (entity)
       throw input::InputError(asked.where,
                               "\"" + asked.name + "\" of the library is a " + input::text_of(entity->kind) +
@@ -132,6 +129,28 @@ input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, 
 }
 
 }  // namespace
+
+input::MaterialEntry entry_of(const Entity& entity, const input::Location& where, UnitBook& units) {
+  const Datum* law = entity.find("law");
+  if (!law)
+    throw input::InputError(where,
+                            "the " + input::text_of(entity.kind) + " \"" + entity.id + "\" of the library has no law",
+                            "say which one reads its numbers, e.g. snug materials edit \"" + entity.id +
+                                "\" law=" + (entity.kind == Kind::fabric ? "kes" : "neo-Hooke"));
+  const input::Table all = law_table(entity, units);
+  const std::vector<std::string> keys = keys_of_law(entity.kind, law->value);
+  input::MaterialEntry entry{.name = {}, .table = {}, .where = where};
+  for (const input::Entry& one : all.entries)
+    if (contains(keys, one.key)) entry.table.entries.push_back({one.key, where, one.value});
+  if (!entry.table.find("source"))
+    entry.table.set("source", input::value_without_place("entity \"" + entity.id + "\" of the library"));
+  if (entity.kind == Kind::fabric) {
+    keep_one_of_force_and_elongation(entry.table);
+    if (input::Value* weft = entry.table.find("weft"); weft && weft->table()) keep_one_of_force_and_elongation(*weft->table());
+  }
+  entry.table.where = where;
+  return entry;
+}
 
 Entries shipped_entries(UnitBook& units) {
   input::Diagnostics diagnostics;
@@ -167,7 +186,7 @@ input::MaterialEntry resolved(const input::MaterialEntry& asked, Kind kind, cons
   if (contains(known, asked.name)) return asked;
   UnitBook units;
   for (const Entity& entity : shipped_entries(units).entities) {
-    if (entity.id == asked.name && entity.kind == kind) return as_entry(entity, asked, units);
+    if (entity.id == asked.name && entity.kind == kind) return entry_of(entity, asked.where, units);
     if (entity.kind == kind && entity.find("law") && !contains(known, entity.id)) known.push_back(entity.id);
   }
   return from_library(asked, kind, file, std::move(known));

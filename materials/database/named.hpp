@@ -27,6 +27,9 @@ Library::Settings library_settings(const std::filesystem::path& file, const std:
 /// name, and for an entity without a law.
 input::MaterialEntry resolved(const input::MaterialEntry& asked, Kind kind, const std::filesystem::path& file);
 
+/// The table of an entity as the reader of its law wants it, for a case that names it at `where`. Throws input::InputError without a law.
+input::MaterialEntry entry_of(const Entity& entity, const input::Location& where, UnitBook& units);
+
 /// Fabrics and tissues that ship with a law beyond fabrics.toml and tissues.toml.
 std::vector<std::string> further_shipped(Kind kind);
 
