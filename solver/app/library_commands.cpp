@@ -9,6 +9,7 @@
 #include "materials/database/named.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/library_file.hpp"
+#include "solver/app/material_list.hpp"
 
 namespace snug::app {
 
@@ -39,6 +40,17 @@ std::string printed_text(const Datum& datum) {
   return (datum.value.empty() ? "given when asked" : materials::quantity_text(datum)) + range;
 }
 
+/// How thick a fabric is under pressure, where its compression was measured.
+std::string pressed_text(const Entity& entity) {
+  const auto number = [&](const char* item) -> std::optional<double> {
+    const Datum* datum = entity.find(item);
+    return datum ? datum->si : std::nullopt;
+  };
+  const std::string text = thickness_text(
+      {.LC = number("LC"), .WC = number("WC"), .T0 = number("T0"), .Tm = number("Tm"), .Pm = number("Pm")}, number("thickness").value_or(0.0));
+  return entity.kind != Kind::fabric || text.empty() ? std::string() : "  under pressure               " + text + "\n";
+}
+
 std::string rows_of(const Entity& entity, materials::UnitBook& units, const std::vector<std::string>& children) {
   std::string text =
       fmt::format("# {} \"{}\"{}{}\n", text_of(entity.kind), entity.id,
@@ -51,6 +63,7 @@ std::string rows_of(const Entity& entity, materials::UnitBook& units, const std:
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
+  text += pressed_text(entity);
   return children.empty() ? text : text + "  parent of " + input::joined(children) + "\n";
 }
 

@@ -34,6 +34,19 @@ void append(std::vector<input::KeyRow>& rows, std::vector<input::KeyRow> more) {
 
 }  // namespace
 
+std::string thickness_text(const materials::Compression& compression, double thickness) {
+  const auto decrease = compression.decrease();
+  const double unloaded = compression.T0.value_or(thickness), gf_per_cm2 = 98.0665, most = compression.largest_pressure() / gf_per_cm2;
+  if (!decrease || !(unloaded > 0.0)) return {};
+  if (*decrease >= unloaded)
+    return fmt::format("LC and WC press the cloth by {:.3g} mm, which is {:.3g} mm thick: a misprint?", 1e3 * *decrease, 1e3 * unloaded);
+  std::string text = fmt::format("thickness {:.3g} mm", 1e3 * unloaded);
+  for (const double share : {0.1, 0.4, 1.0})
+    if (const auto pressed = materials::thickness_under(share * compression.largest_pressure(), compression, thickness))
+      text += fmt::format(", {:.3g} mm at {:.3g}", 1e3 * *pressed, share * most);
+  return text + " gf/cm2";
+}
+
 std::string materials_text() {
   using materials::Kind;
   const auto names = [](std::vector<std::string> known, Kind kind) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cases/input/key_list.hpp"
+#include "materials/fabric/sheet.hpp"
 
 namespace snug::app {
 
@@ -13,6 +14,9 @@ std::string materials_text();
 
 /// One entry as the data hold it, with its source. Throws input::InputError with the nearest known name.
 std::string material_text(const std::string& name);
+
+/// "thickness 0.57 mm, 0.54 at 5, 0.5 at 20, 0.476 mm at 50 gf/cm2"; what does not go together is said; empty where nothing was measured.
+std::string thickness_text(const materials::Compression& compression, double thickness);
 
 /// Inputs of the laws that an inline table may name; keys such as "neo-Hooke.shear_modulus".
 std::vector<input::KeyRow> law_keys();

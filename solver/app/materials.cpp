@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 
 #include "cases/input/suggestion.hpp"
 #include "materials/laws/one_point.hpp"
+#include "materials/laws/solid_law.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/library_commands.hpp"
+#include "solver/app/fabric_curves.hpp"
+#include "solver/app/material_fit.hpp"
 #include "solver/app/material_list.hpp"
 
 namespace snug::app {
@@ -25,11 +29,13 @@ const std::map<std::string, Loading>& loadings() {
   return all;
 }
 
-/// What the curve of one tissue runs over.
+/// What the curve of one entry runs over.
 struct Curve {
   std::string mode = "uniaxial";
   double from = 0.7, to = 1.5;
   int steps = 16;
+  std::string picture;
+  bool table = false;
 };
 
 input::InputError wrong(const std::string& found, const std::string& remedy) {
@@ -59,6 +65,21 @@ void print_curve(const std::string& name, const Curve& curve) {
   }
 }
 
+bool is_tissue(const std::string& name) {
+  const std::vector<std::string> names = materials::tissue_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A picture where one is asked for, else the table.
+void show_fabrics(const std::string& name, const Curve& options) {
+  const auto fabrics = fabrics_to_draw(name);
+  if (!options.picture.empty()) {
+    write_fabric_picture(fabrics, options.picture);
+    fmt::print("picture: {}\n", options.picture);
+  }
+  if (options.picture.empty() || options.table) fmt::print("{}", fabric_table(fabrics, options.steps));
+}
+
 class Materials : public Command {
  public:
   std::string name() const override { return "materials"; }
@@ -66,13 +87,17 @@ class Materials : public Command {
     return "fabrics, tissues and the engineering database: what is known, questions, own entries";
   }
 
+  Materials() { library_.push_back(make_fit()); }
   void declare(CLI::App& app) override {
     app.require_subcommand(1);
     app.add_subcommand("list", "the names of all entries that a case may have");
     show_ = app.add_subcommand("show", "values and source of one entry");
     show_->add_option("NAME", entry_, "fabric, tissue or anything else of the library")->required();
-    curve_ = app.add_subcommand("curve", "stress over stretch of a tissue as CSV: one point, no mesh");
-    curve_->add_option("NAME", entry_, "tissue")->required();
+    curve_ = app.add_subcommand("curve", "stress over stretch of a tissue, or the tensile and shear curves of a fabric: CSV, a picture");
+    curve_->add_option("NAME", entry_, "tissue; fabric of the library; directory of a case, whose garments' fabrics are drawn; or a .toml file of fabrics")
+        ->required();
+    curve_->add_option("--out", options_.picture, "fabric: file of the picture, .svg");
+    curve_->add_flag("--csv", options_.table, "fabric: the table, too, where there is a picture");
     std::vector<std::string> modes;
     for (const auto& [mode, loading] : loadings()) modes.push_back(mode);
     curve_
@@ -97,7 +122,8 @@ class Materials : public Command {
     for (std::size_t n = 0; n < library_.size(); ++n)
       if (parsers_[n]->parsed()) return library_[n]->execute();
     if (curve_->parsed()) {
-      print_curve(entry_, options_);
+      if (is_tissue(entry_)) print_curve(entry_, options_);
+      else show_fabrics(entry_, options_);
       return done;
     }
     fmt::print("{}", show_->parsed() ? material_text(entry_) : materials_text());
