@@ -49,6 +49,20 @@ void name_edges(const GarmentCut& cut, const SewnMesh& sewn, GarmentMesh& mesh) 
   }
 }
 
+/// What the pattern says of its fabric, where the case says nothing. Throws where its pieces are of several.
+void take_fabric(GarmentCut& cut) {
+  const Pattern& pattern = cut.pattern->pattern;
+  std::optional<input::MaterialEntry> fabric = pattern.fabric;
+  for (const Piece& piece : pattern.pieces) {
+    if (!piece.fabric) continue;
+    if (&piece != &pattern.pieces.front() && (!fabric || fabric->name != piece.fabric->name || fabric->is_inline() || piece.fabric->is_inline()))
+      throw InputError(piece.fabric->where, fmt::format("the piece {} has a fabric of its own", piece.name),
+                       "garments of several fabrics are not available yet: leave it out, or make it a garment of its own");
+    fabric = piece.fabric;
+  }
+  if (cut.spec.fabric.name.empty() && !cut.spec.fabric.is_inline() && fabric) cut.spec.fabric = *fabric;
+}
+
 }  // namespace
 
 GarmentCut read_cut(const input::GarmentSpec& spec) {
@@ -62,7 +76,7 @@ GarmentCut read_cut(const input::GarmentSpec& spec) {
   if (spec.pattern.girth_scale != 1.0 || spec.pattern.length_scale != 1.0)
     pattern = graded(pattern, spec.pattern.girth_scale, spec.pattern.length_scale);
   cut.pattern = checked(std::move(pattern));
-  if (cut.spec.fabric.name.empty() && !cut.spec.fabric.is_inline() && cut.pattern->pattern.fabric) cut.spec.fabric = *cut.pattern->pattern.fabric;
+  take_fabric(cut);
   if (cut.spec.fabric.name.empty() && !cut.spec.fabric.is_inline())
     throw InputError(spec.where, "the key fabric is missing, and the pattern has none",
                      "add fabric: an entry of snug materials list or a table of values");
