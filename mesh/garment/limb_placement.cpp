@@ -55,20 +55,24 @@ Facing facing(const SewnMesh& sewn, const TubeChart& chart, const std::optional<
   return {along.empty() ? 0.0 : circular_mean(along), seam.value_or(std::numbers::pi)};
 }
 
-/// Where a garment goes a part of the way round, at uneven hems, a part does not tell its width: it has that of the nearest row that goes all
-/// the way round.
-void widen_from_whole(std::vector<FitRow>& rows) {
+/// Where a garment goes a part of the way round, at uneven hems, a part does not tell its width: it is as tight there as at the nearest row that
+/// goes all the way round.
+void widen_from_whole(const Limb& limb, double lower, double upper, std::vector<FitRow>& rows) {
+  if (rows.empty()) return;
+  rows.insert(rows.begin(), {lower, rows.front().girth, 0.0}), rows.push_back({upper, rows.back().girth, 0.0});
   constexpr double all_round = 0.999;
   const auto whole = [](const FitRow& row) { return row.cover > all_round; };
   const auto first = std::find_if(rows.begin(), rows.end(), whole);
   if (first == rows.end()) return;
   const auto last = std::find_if(rows.rbegin(), rows.rend(), whole).base();
-  for (auto it = rows.begin(); it != first; ++it) it->girth = first->girth;
-  for (auto it = last; it != rows.end(); ++it) it->girth = (last - 1)->girth;
+  const auto as_tight_as = [&](const FitRow& row, double height) { return row.girth * limb.girth(height) / limb.girth(row.height); };
+  for (auto it = rows.begin(); it != first; ++it) it->girth = as_tight_as(*first, it->height);
+  for (auto it = last; it != rows.end(); ++it) it->girth = as_tight_as(*(last - 1), it->height);
+  rows.front().cover = rows[1].cover, rows.back().cover = rows[rows.size() - 2].cover;
 }
 
 /// Widths by height: lengths on the flat pieces of the lines on which the vertices' heights are equal.
-std::vector<FitRow> rows_of(const SewnMesh& sewn, const std::vector<ChartPlace>& places, double lower, double upper) {
+std::vector<FitRow> rows_of(const SewnMesh& sewn, const Limb& limb, const std::vector<ChartPlace>& places, double lower, double upper) {
   constexpr int count = 48;
   std::vector<FitRow> rows(count);
   std::vector<double> round(count, 0.0);
@@ -93,7 +97,7 @@ std::vector<FitRow> rows_of(const SewnMesh& sewn, const std::vector<ChartPlace>&
   std::vector<FitRow> there;
   for (int r = 0; r < count; ++r)
     if (round[r] > 0.0) there.push_back({rows[r].height, rows[r].girth / round[r], std::min(1.0, round[r])});
-  widen_from_whole(there);
+  widen_from_whole(limb, lower, upper, there);
   return there;
 }
 
@@ -183,7 +187,7 @@ class Placement {
     result.lower = lowest(), result.upper = limb_.lower;
     for (std::size_t n = 0; n < places_.size(); ++n)
       if (is_vertex(n)) result.upper = std::max(result.upper, places_[n].height);
-    result.rows = rows_of(sewn_, places_, result.lower, result.upper);
+    result.rows = rows_of(sewn_, limb_, places_, result.lower, result.upper);
     result.warp_along = warp_runs_up(sewn_, places_);
     return result;
   }

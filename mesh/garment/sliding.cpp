@@ -13,7 +13,7 @@ namespace {
 using Gradient = Eigen::Matrix<double, 3, 2>;
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-constexpr int most_steps = 30;
+constexpr int most_steps = 60;
 constexpr double at_rest = 1e-4;  // of the mean edge: the longest step that is no longer worth another
 
 struct Triangle {
