@@ -39,6 +39,10 @@ class TensionCurve {
   /// (Fritsch & Carlson, SIAM J. Numer. Anal. 17 (1980) 238-246). Throws std::invalid_argument.
   static TensionCurve through(const std::vector<double>& strain, const std::vector<double>& force);
 
+  /// The same up to the end of its data, and beyond it with the slope that `other` has there. The way back ends where it began: cloth that
+  /// is stretched further than its test is on its way up again. The force is continuous, its slope falls.
+  TensionCurve continued_as(const TensionCurve& other) const;
+
   Value at(double green_strain) const;
   /// Smallest dS/dE over all E (N/m).
   double smallest_stiffness() const { return smallest_stiffness_; }

@@ -63,8 +63,8 @@ struct KesTension {
   double maximum_force() const { return Fm ? *Fm : 200.0 * WT / (LT * *EMT); }
   TensionCurve curve() const { return TensionCurve::kes(LT, WT, maximum_force()); }
   /// From the turning point (EMT, Fm) back to 0, with RT of the work: the exponential of the linearity LT RT/100, which ends at the
-  /// same point. RT is given.
-  TensionCurve unloading_curve() const { return TensionCurve::kes(0.01 * *RT * LT, 0.01 * *RT * WT, maximum_force()); }
+  /// same point; beyond it the curve of the way up. RT is given.
+  TensionCurve unloading_curve() const { return TensionCurve::kes(0.01 * *RT * LT, 0.01 * *RT * WT, maximum_force()).continued_as(curve()); }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {

@@ -143,7 +143,7 @@ TensionCurve curve_through(const std::vector<CurvePoint>& points, const input::L
 
 std::optional<TensionCurve> unloading_curve_through(const std::vector<CurvePoint>& points) {
   const std::vector<CurvePoint> knots = unloading_knots(points);
-  return knots.size() < 2 ? std::nullopt : std::optional(through(knots));
+  return knots.size() < 2 ? std::nullopt : std::optional(through(knots).continued_as(curve_through(points, {})));
 }
 
 std::vector<CurvePoint> knots_of(const std::vector<CurvePoint>& points, const input::Location& where) {

@@ -67,6 +67,25 @@ TEST(Hysteresis, TheAreaBetweenTheBranchesIsWhatTheTestLost) {
               5e-4);
 }
 
+TEST(Hysteresis, StretchedFurtherThanItsTestClothIsOnTheWayUpAgain) {
+  // Beyond (EMT, Fm) the way back has the slope of the way up, and nowhere is it above it; force and energy go on
+  // without a jump.
+  for (const Printed& f : wear_trial) {
+    const FabricData data = fabric_data({.name = f.name});
+    const TensionCurve &up = data.loading.warp, &back = data.unloading->warp;
+    const double end = green(2 * f.WT / (f.LT * f.Fm));
+    for (const double E : {0.05, 0.1, 0.2, 0.9 * end, 1.1 * end, 2.0 * end, 3.0})
+      EXPECT_LE(back.at(E).force, up.at(E).force * (1 + 1e-12)) << f.name << " E = " << E;
+    EXPECT_NEAR(back.at(2 * end).force, up.at(2 * end).force, 1e-9 * f.Fm) << f.name;
+    EXPECT_EQ(back.at(2 * end).stiffness, up.at(2 * end).stiffness) << f.name;
+    for (const double E : {end - 1e-9, end + 1e-9}) {
+      EXPECT_NEAR(back.at(E).force, back.at(end).force, 1e-6 * f.Fm) << f.name;
+      EXPECT_NEAR(back.at(E).energy, back.at(end).energy, 1e-6 * f.Fm) << f.name;
+    }
+    EXPECT_GE(up.at(2 * end).stiffness, back.smallest_stiffness()) << f.name;
+  }
+}
+
 TEST(Hysteresis, ABranchIsWhatIsAskedForAndNothingElseChanges) {
   // Loading is the fabric as it ever was, to the last bit; unloading has the same shear, bending and weight.
   const std::string plain =
