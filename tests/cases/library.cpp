@@ -182,6 +182,11 @@ TEST_F(LibraryProgram, RawTestsBecomeAFabricThatACaseWears) {
   const std::string section = snug("materials fit " + tests + "--case --name 'my knit'").text;
   EXPECT_NE(section.find("[garment.fabric]\nname = \"my knit\"\n"), std::string::npos) << section;
   EXPECT_NE(section.find("\n# EMT = "), std::string::npos) << "either force or elongation\n" << section;
+  std::string text = content("mine/case.toml");
+  const auto line = text.find("\nfabric = ") + 1;
+  text.erase(line, text.find('\n', line) + 1 - line);
+  write("mine/case.toml", text + "\n" + section);
+  EXPECT_EQ(snug("materials curve mine").text, snug("materials curve 'my knit'").text);
   write("two.csv", strip(1.2)), write("three.csv", strip(1.4));
   expect("materials fit strip.csv two.csv three.csv shear.csv --width '25 mm' --gauge-length '80 mm'", 0, "WT = \"9.7893 +- 1.6 gf cm/cm2\"");
 }
