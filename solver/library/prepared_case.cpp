@@ -9,6 +9,7 @@
 
 #include "mesh/body/foreign.hpp"
 #include "mesh/body/import.hpp"
+#include "mesh/body/import_shell.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
 #include "solver/library/named_materials.hpp"
@@ -41,9 +42,6 @@ mesh::Limb limb_below(const std::vector<mesh::GarmentCut>& cuts, const mesh::Bod
 /// An imported body may bring its loads along; a case without any would only say so after the solve.
 void check_that_something_acts(const input::Case& description, const mesh::BodyMesh& body) {
   const auto moves = [](const mesh::HeldComponent& held) { return held.displacement != 0.0; };
-  if (!description.garments.empty() && !body.shell.empty())
-    throw input::InputError(description.garments.front().where, "a garment on a shell body is not available yet",
-                            "give the body as solids, or leave [garment], [contact] and [comfort] out");
   if (!description.garments.empty() || description.load || !description.support.empty() || !body.forces.empty() || !body.pressures.empty() ||
       std::any_of(body.held.begin(), body.held.end(), moves))
     return;
@@ -71,6 +69,7 @@ Meshes make_body(const input::Case& description, const std::vector<mesh::Garment
     meshes.body = model ? mesh::import_model(*description.body, description.directory) : mesh::import_body_mesh(*description.body, gmsh);
     check_that_something_acts(description, meshes.body);
     check_skin(description, meshes.body);
+    if (!cuts.empty() && !meshes.body.shell.empty()) mesh::turn_skin_outwards(meshes.body);
     if (!cuts.empty()) meshes.limb = limb_below(cuts, meshes.body);
   } else {
     refuse_large_body(description, memory_limit);

@@ -20,9 +20,10 @@ std::vector<int> share_out(const Elements& elements, int ranks) {
   return fem::partition(nodes, ranks);
 }
 
-// The rank of a cell at the facet.
-std::vector<int> facet_ranks(const mesh::BodyMesh& body, const std::vector<int>& cell_rank) {
+// The rank of a cell at the facet; of a shell that of its first node.
+std::vector<int> facet_ranks(const mesh::BodyMesh& body, const std::vector<int>& cell_rank, const std::vector<int>& of_body) {
   std::map<int, int> rank_of_node;
+  for (std::size_t n = 0; !body.shell.empty() && n < of_body.size(); ++n) rank_of_node[static_cast<int>(n)] = of_body[n];
   for (std::size_t c = 0; c < body.cells.size(); ++c)
     for (const int node : body.cells[c]) rank_of_node.try_emplace(node, cell_rank[c]);
   std::vector<int> rank;
@@ -94,7 +95,7 @@ std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const La
   for (const mesh::GarmentMesh& garment : meshes.garments) {
     const auto triangles = sewn(garment);
     const int nodes = static_cast<int>(garment.pattern.size());
-    const std::vector<int> rank = position.count > 0 ? triangle_ranks_by_facet(meshes.body, garment, facet_ranks(meshes.body, cell_rank))
+    const std::vector<int> rank = position.count > 0 ? triangle_ranks_by_facet(meshes.body, garment, facet_ranks(meshes.body, cell_rank, of_body))
                                                      : share_out(triangles, ranks);
     lowest(triangles, rank, of_garment.emplace_back(nodes, ranks - 1));
     put(layout[garment.name], of_garment.back(), owner);

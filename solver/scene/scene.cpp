@@ -306,6 +306,14 @@ ShellElasticity shell_elasticity(const materials::Tissue& tissue, const mesh::La
                           "write law = \"linear-elastic\" with youngs_modulus and poisson_ratio");
 }
 
+// The same of a shell body: of its stiffest triangle as a sheet.
+double shell_stiffness(const Model& model, const mesh::BodyMesh& body, double edge) {
+  double stiffest = 0.0;
+  for (const mesh::ShellTriangle& t : body.shell)
+    stiffest = std::max(stiffest, shell_elasticity(model.tissues[t.layer], body.layers[t.layer]).youngs_modulus * t.thickness / (edge * edge));
+  return stiffest;
+}
+
 void add_body(const Model& model, const mesh::BodyMesh& body, Scene& scene) {
   const Field& position = scene.layout()["body"];
   scene.add(Part{"body", Role::body, position});
@@ -321,6 +329,10 @@ void add_body(const Model& model, const mesh::BodyMesh& body, Scene& scene) {
       scene.add(std::make_unique<SkinMembraneTerm>(position, body, membrane));
   }
   add_loads(model, body, scene);
+}
+
+double ground_stiffness(const Model& model, const mesh::BodyMesh& body, double edge) {
+  return body.shell.empty() ? body_stiffness(model, edge) : shell_stiffness(model, body, edge);
 }
 
 void add_touch(const ContactModel& contact, std::vector<std::string> masters, const FabricMembrane* sheet, Interface interface, double stiffness,
@@ -347,7 +359,7 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   const double sheet = sheet_stiffness(garment.fabric, mesh);
   const std::vector<int> under = layers_under(model, meshes.garments, g);
   MasterSurface ground(scene.layout()["body"], meshes.body, meshes.body.skin_facets);
-  double stiffness = skin == Skin::deformable ? std::max(sheet, body_stiffness(model, ground.mean_edge())) : sheet;
+  double stiffness = skin == Skin::deformable ? std::max(sheet, ground_stiffness(model, meshes.body, ground.mean_edge())) : sheet;
   for (const int layer : under) stiffness = std::max(stiffness, sheet_stiffness(model.garments[layer].fabric, meshes.garments[layer]));
   add_touch(*contact, master_names(meshes.garments, under), &fabric,
             {scene.layout()[contact->name], garment_slave(position, mesh), over_layers(scene.layout(), meshes.garments, under, std::move(ground))},

@@ -228,7 +228,7 @@ double Shell::energy(const State& state) const {
     sum += element.energy;
   }
   for (const EdgeSides& edge : edges_) sum += edge_element(state, edge, false).energy;
-  return sum;
+  return state.stiffening * sum;
 }
 
 bool Shell::assemble(const State& state, Tangent tangent, Sink& sink) const {
@@ -242,12 +242,13 @@ bool Shell::assemble(const State& state, Tangent tangent, Sink& sink) const {
   const auto compute = [&](int e, Slot& slot) {
     if (e >= count) {
       slot.edge = edge_element(state, edges_[e - count], wanted(tangent));
-      slot.matrix = slot.edge.matrix;
+      slot.matrix = state.stiffening * slot.edge.matrix, slot.edge.residual *= state.stiffening;
       return slot.edge.residual.allFinite();
     }
     slot.triangle.zero();
     const TriangleNodes x = positions(state, e), X = reference(e);
     for (const Point& point : triangles_[e].points) add_point(x, X, triangles_[e], point, wanted(tangent), slot.triangle);
+    slot.triangle.residual *= state.stiffening, slot.triangle.matrix *= state.stiffening;
     return slot.triangle.residual.allFinite();
   };
   const auto consume = [&](int e, Slot& slot) {
@@ -283,7 +284,7 @@ std::vector<Eigen::Vector3d> Shell::foundation_forces(const State& state) const 
   for (int t = 0; t < triangles(); ++t) {
     const TriangleNodes u = positions(state, t) - reference(t);
     for (const Point& point : triangles_[t].points) {
-      const double pressure = triangles_[t].foundation * (u * point.N).dot(point.normal);
+      const double pressure = state.stiffening * triangles_[t].foundation * (u * point.N).dot(point.normal);
       for (int a = 0; a < 6; ++a) forces[triangles_[t].nodes[a]] -= point.weight * pressure * point.N[a] * point.normal;
     }
   }
