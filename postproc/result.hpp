@@ -106,6 +106,15 @@ struct Hem {
   double line_load = 0.0;         ///< N/m, of that force what the pressure beyond reach does not explain, per length
 };
 
+/// How wide a garment is against the body at one height, as it was placed.
+struct FitRow {
+  std::string garment;
+  double height = 0.0, body_girth = 0.0, garment_girth = 0.0;  ///< m; of the garment as cut
+  double cover = 1.0;             ///< share of the way round that it goes
+
+  double ease() const { return body_girth > 0.0 ? garment_girth / body_girth - 1.0 : 0.0; }
+};
+
 /// Two surfaces of the body that touch, or a garment and what it lies on where garments lie over one another.
 struct SurfaceContact {
   std::string name, slave, master;
@@ -172,6 +181,7 @@ struct RunResult {
   std::vector<Iteration> history;
   Balance balance;
   std::vector<Hem> hems;          ///< named edges of a garment in contact
+  std::vector<FitRow> fit;        ///< of the garments on a limb, from below
   std::vector<SurfaceContact> surface_contacts;
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;

@@ -156,6 +156,18 @@ Json hems_json(const RunResult& run) {
   return json;
 }
 
+Json fit_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const FitRow& row : run.fit)
+    json.push_back({{"garment", row.garment},
+                    {"height_m", row.height},
+                    {"body_girth_m", row.body_girth},
+                    {"garment_girth_m", row.garment_girth},
+                    {"ease", row.ease()},
+                    {"cover", row.cover}});
+  return json;
+}
+
 Json warnings_json(const RunResult& run) {
   Json json = Json::array();
   for (const Warning& w : run.warnings)
@@ -234,6 +246,7 @@ void add_outcome(Json& json, const RunResult& run) {
   json["residuals"] = residuals_json(run);
   json["balance"] = balance_json(run.balance);
   if (!run.hems.empty()) json["hems"] = hems_json(run);
+  if (!run.fit.empty()) json["fit"] = fit_json(run);
   if (!run.surface_contacts.empty()) json["surface_contacts"] = surface_contacts_json(run);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;

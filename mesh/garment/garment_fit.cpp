@@ -7,8 +7,8 @@ namespace snug::mesh {
 FitRow GarmentFit::at(double height) const {
   if (rows.empty()) return {};
   const auto above = std::find_if(rows.begin(), rows.end(), [&](const FitRow& row) { return row.height > height; });
-  if (above == rows.begin()) return rows.front();
-  if (above == rows.end()) return rows.back();
+  if (above == rows.begin()) return {height, rows.front().girth, rows.front().cover};
+  if (above == rows.end()) return {height, rows.back().girth, rows.back().cover};
   const FitRow &a = *(above - 1), &b = *above;
   const double t = (height - a.height) / (b.height - a.height);
   return {height, a.girth + t * (b.girth - a.girth), a.cover + t * (b.cover - a.cover)};

@@ -112,6 +112,21 @@ Json hems_view(const Json& summary) {
   return rows;
 }
 
+/// Rows from above, as the garment hangs; several garments one after the other.
+Json fit_view(const Json& summary) {
+  const Json fit = summary.value("fit", Json::array());
+  const bool alone = std::all_of(fit.begin(), fit.end(), [&](const Json& row) { return row.value("garment", "") == fit.front().value("garment", ""); });
+  Json rows = Json::array();
+  for (auto it = fit.rbegin(); it != fit.rend(); ++it)
+    rows.push_back({{"garment", alone ? "" : it->value("garment", "")},
+                    {"height", number(1e3 * value_at(*it, "height_m"))},
+                    {"body", number(1e3 * value_at(*it, "body_girth_m"))},
+                    {"girth", number(1e3 * value_at(*it, "garment_girth_m"))},
+                    {"ease", fmt::format("{:+.1f}", 100.0 * value_at(*it, "ease"))},
+                    {"cover", fmt::format("{:.0f}", 100.0 * value_at(*it, "cover"))}});
+  return rows;
+}
+
 Json texts_view(const Json& texts) {
   Json rows = Json::array();
   for (const Json& text : texts) rows.push_back({{"text", text.get<std::string>()}});
@@ -252,6 +267,7 @@ Json run_view(const ShownRun& run) {
   view["balance"] = balance_view(summary);
   view["state"] = summary.value("state", Json::object()).value("text", "");
   put_list(view, "hems", hems_view(summary));
+  put_list(view, "fit", fit_view(summary));
   put_list(view, "donning", donning_view(summary));
   put_list(view, "warnings", warnings_view(summary));
   put_list(view, "remedies", texts_view(summary.value("what_to_try", Json::array())));

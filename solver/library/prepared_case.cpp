@@ -112,6 +112,19 @@ void mesh_garments(const std::vector<mesh::GarmentCut>& cuts, PreparedCase& prep
   }
 }
 
+/// How wide the garments are against the limb that they are worn on.
+std::vector<postproc::FitRow> fit_of(const Meshes& meshes) {
+  constexpr int rows = 9;
+  std::vector<postproc::FitRow> fit;
+  if (!meshes.limb.skin) return fit;
+  for (const mesh::GarmentMesh& garment : meshes.garments)
+    for (int i = 0; i < rows; ++i) {
+      const mesh::FitRow row = garment.fit.at(garment.fit.lower + garment.fit.length() * (i + 0.5) / rows);
+      fit.push_back({garment.name, row.height, meshes.limb.girth(row.height), row.girth, row.cover});
+    }
+  return fit;
+}
+
 std::string place_text(const input::Location& where) {
   return where.line > 0 ? where.file + ", line " + std::to_string(where.line) : where.file;
 }
@@ -147,6 +160,7 @@ postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer
   postproc::RunResult run = solve(prepared.model, prepared.meshes, observer, kept, stop, journal);
   for (const input::Diagnostic& warning : prepared.warnings)
     run.warnings.push_back({"the input", warning.found, place_text(warning.where), warning.remedy, {}});
+  run.fit = fit_of(prepared.meshes);
   run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
   return run;
 }

@@ -25,6 +25,11 @@ class SewnCase : public Program {
     return nlohmann::json::parse(file).at("numbers").at("mean_contact_pressure_Pa").get<double>();
   }
 
+  nlohmann::json fit(const std::string& out) const {
+    std::ifstream file(folder_ / out / "summary.json");
+    return nlohmann::json::parse(file).at("fit");
+  }
+
   const std::string coarse_ = " --no-report --set solver.tier=L1 --set body.cells_around=20 --set body.cells_along=8";
   const std::string tube_ = " --set 'garment.pattern={ kind = \"tube\", flat_circumference = \"420 mm\", length = \"160 mm\" }'";
   const std::string halves_ = " --set 'garment.pattern=\"patterns/halves.toml\"'";
@@ -36,6 +41,13 @@ TEST_F(SewnCase, TwoHalvesPressAsTheTubeDoes) {
   ASSERT_EQ(tube.status, 0) << tube.text;
   ASSERT_EQ(sewn.status, 0) << sewn.text;
   EXPECT_NEAR(mean_pressure("sewn") / mean_pressure("tube"), 1.0, 5e-3);
+  const nlohmann::json of_sewn = fit("sewn"), of_tube = fit("tube");
+  ASSERT_EQ(of_sewn.size(), of_tube.size());
+  for (std::size_t row = 0; row < of_sewn.size(); ++row) {
+    EXPECT_NEAR(of_sewn[row].at("ease").get<double>(), of_tube[row].at("ease").get<double>(), 3e-3);
+    EXPECT_NEAR(of_sewn[row].at("height_m").get<double>(), of_tube[row].at("height_m").get<double>(), 2e-3);
+    EXPECT_NEAR(of_tube[row].at("garment_girth_m").get<double>(), 0.42, 1e-12);
+  }
   const Outcome check = snug("check mine --set solver.tier=L1" + halves_);
   EXPECT_EQ(check.status, 0) << check.text;
   EXPECT_NE(check.text.find("420 mm round as cut"), std::string::npos) << check.text;
