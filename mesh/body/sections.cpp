@@ -20,14 +20,14 @@ struct Cut {
   std::map<Edge, std::vector<Edge>> next;
 };
 
-Cut cut_triangles(const TriangleSurface& surface, double z) {
+Cut cut_triangles(const std::vector<Eigen::Vector3d>& vertices, std::span<const std::array<int, 3>> triangles, double z) {
   Cut cut;
-  for (const auto& t : surface.triangles) {
+  for (const auto& t : triangles) {
     std::vector<Edge> crossed;
     for (int n = 0; n < 3; ++n) {
       // Always from the smaller number, so that both triangles of an edge get the same point to the last bit.
       const int a = std::min(t[n], t[(n + 1) % 3]), b = std::max(t[n], t[(n + 1) % 3]);
-      const Eigen::Vector3d &p = surface.vertices[a], &q = surface.vertices[b];
+      const Eigen::Vector3d &p = vertices[a], &q = vertices[b];
       if ((p.z() > z) == (q.z() > z)) continue;
       crossed.emplace_back(a, b);
       cut.point.try_emplace({a, b}, (p + (z - p.z()) / (q.z() - p.z()) * (q - p)).head<2>());
@@ -58,7 +58,12 @@ SectionLoop finished(std::vector<Eigen::Vector2d> points) {
 }  // namespace
 
 std::vector<SectionLoop> slice(const TriangleSurface& surface, double z) {
-  Cut cut = cut_triangles(surface, z);
+  return slice(surface.vertices, surface.triangles, z);
+}
+
+std::vector<SectionLoop> slice(const std::vector<Eigen::Vector3d>& vertices,
+                               std::span<const std::array<int, 3>> triangles, double z) {
+  Cut cut = cut_triangles(vertices, triangles, z);
   std::vector<SectionLoop> loops;
   while (!cut.point.empty()) {
     std::vector<Eigen::Vector2d> points;

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "mesh/formats/triangle_surface.hpp"
@@ -20,6 +22,9 @@ struct SectionLoop {
 /// All loops of the surface at height z. A vertex that lies exactly in the plane counts as below it. Chains that do not
 /// close (a hole in the surface) are left out.
 std::vector<SectionLoop> slice(const TriangleSurface& surface, double z);
+/// The same of some triangles.
+std::vector<SectionLoop> slice(const std::vector<Eigen::Vector3d>& vertices,
+                               std::span<const std::array<int, 3>> triangles, double z);
 
 /// Distances from `from` to where the rays at angles 2 pi n / count leave the loop for the last time; negative where a
 /// ray does not meet it.
