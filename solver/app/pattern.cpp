@@ -1,4 +1,4 @@
-// snug pattern FILE: draws, checks and grades a sewing pattern.
+// snug pattern FILE: draws, checks and grades a sewing pattern, and places it on a scanned body.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +11,7 @@
 #include "mesh/pattern/read_pattern.hpp"
 #include "mesh/pattern/sewn_mesh.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/pattern_placing.hpp"
 #include "solver/app/pattern_table.hpp"
 #include "solver/app/write_named.hpp"
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 class PatternCommand : public Command {
  public:
   std::string name() const override { return "pattern"; }
-  std::string summary() const override { return "draws, checks and grades the pieces of a sewing pattern"; }
+  std::string summary() const override { return "draws, checks and grades the pieces of a sewing pattern, places it on a body"; }
 
   void declare(CLI::App& app) override {
     app.add_option("FILE", file_,
@@ -36,6 +37,13 @@ class PatternCommand : public Command {
     app.add_option("--write", write_,
                    "also write the pattern, graded where that is asked for, as this file: .json (GarmentCode)");
     app.add_option("--cells", cells_, "mesh the pieces with cells of this size (\"8 mm\"), count and draw them");
+    app.add_option("--on", scan_,
+                   "place the garment on this closed surface of a standing body (OBJ, STL, v/f text) and write garment.vtu, "
+                   "body.vtu and placed.svg into the folder; cells of 13 mm unless --cells says another size");
+    app.add_option("--up", up_, "axis of the surface's file that points up: x, y, z, -x, -y, -z")->capture_default_str();
+    app.add_option("--front", front_, "axis of that file that points to the front of the body; left out: where the toes are");
+    app.add_option("--unit", unit_, "length of one unit of that file")->capture_default_str();
+    app.add_option("--height", height_, "raise the garment by this (\"-20 mm\": lower) against where it would be laid");
   }
 
   int execute() override {
@@ -49,8 +57,8 @@ class PatternCommand : public Command {
     for (const input::Diagnostic& warning : checked.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
     fmt::print("{}", pattern_table(checked));
     std::optional<mesh::SewnMesh> mesh;
-    if (!cells_.empty()) {
-      mesh = mesh::mesh_pattern(checked, cell_size());
+    if (!cells_.empty() || !scan_.empty()) {
+      mesh = mesh::mesh_pattern(checked, cells_.empty() ? 0.013 : positive("--cells", cells_));
       fmt::print("{}", mesh_table(*mesh));
     }
     fs::create_directories(out_);
@@ -58,15 +66,33 @@ class PatternCommand : public Command {
     write_named(drawing.string(), mesh::drawing_svg(checked, mesh ? &*mesh : nullptr));
     fmt::print("\ndrawing: {}\n", drawing.string());
     if (!write_.empty()) write(checked);
+    if (!scan_.empty()) place_on_scan(checked, *mesh, request());
     return done;
   }
 
  private:
-  double cell_size() const {
-    const input::Quantity size = input::to_si(cells_, "m");
-    if (size.ok() && size.value > 0.0) return size.value;
-    throw input::InputError({.file = "--cells"}, size.ok() ? "\"" + cells_ + "\" is no size" : size.found,
-                            "give a length with its unit, \"8 mm\"");
+  double length(const char* option, const std::string& text) const {
+    const input::Quantity size = input::to_si(text, "m");
+    if (size.ok()) return size.value;
+    throw input::InputError({.file = option}, size.found, "give a length with its unit, \"8 mm\"");
+  }
+
+  double positive(const char* option, const std::string& text) const {
+    const double size = length(option, text);
+    if (size > 0.0) return size;
+    throw input::InputError({.file = option}, "\"" + text + "\" is no size", "give a length with its unit, \"8 mm\"");
+  }
+
+  input::FileAxis axis(const char* option, const std::string& text) const {
+    if (const auto found = input::choice_of<input::FileAxis>(text)) return *found;
+    throw input::InputError({.file = option}, "\"" + text + "\" is no axis", "write x, y, z, -x, -y or -z");
+  }
+
+  PlacingRequest request() const {
+    PlacingRequest result{.scan = scan_, .axes = {positive("--unit", unit_), axis("--up", up_)}, .options = {}, .out = out_};
+    if (!front_.empty()) result.axes.front = axis("--front", front_);
+    if (!height_.empty()) result.options.raise = length("--height", height_);
+    return result;
   }
 
   void write(const mesh::CheckedPattern& checked) const {
@@ -77,7 +103,7 @@ class PatternCommand : public Command {
     fmt::print("pattern: {}\n", write_);
   }
 
-  std::string file_, out_ = ".", cells_, write_;
+  std::string file_, out_ = ".", cells_, write_, scan_, up_ = "y", front_, unit_ = "1 m", height_;
   std::vector<double> grade_;
 };
 
