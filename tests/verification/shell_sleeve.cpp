@@ -72,7 +72,7 @@ solver::Meshes meshes_of(const Tube& tube, const input::Case& c) {
   meshes.body = shell_case(shell_tube(tube)).mesh;
   mesh::turn_skin_outwards(meshes.body);
   meshes.limb = mesh::limb_from_skin(meshes.body, 0.0, tube.length, {});
-  meshes.garments.push_back(mesh::make_garment_mesh(c.garments[0], meshes.limb, 0.6 * meshes.body.mean_skin_cell));
+  meshes.garments.push_back(mesh::make_tube_mesh(c.garments[0], meshes.limb, 0.6 * meshes.body.mean_skin_cell));
   return meshes;
 }
 
