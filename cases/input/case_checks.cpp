@@ -139,15 +139,22 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   check_thicknesses(body, diagnostics);
 }
 
-void check_tube(const GarmentSpec& garment, Diagnostics& diagnostics) {
+/// The table of a garment in the case.
+const Table* garment_table(const Table& root, std::size_t garment) {
+  const Value* garments = root.find("garment");
+  const bool list = garments && garments->array() && garment < garments->array()->size();
+  return list ? (*garments->array())[garment].table() : root.table("garment");
+}
+
+void check_tube(const GarmentSpec& garment, const Table* pattern, Diagnostics& diagnostics) {
   const PatternSpec& tube = garment.pattern;
-  const auto missing = [&](double size, const char* key, const char* meaning, const char* example) {
-    if (size == 0.0)
-      diagnostics.error(tube.where, fmt::format("the key {} is missing, or 0 m", key),
+  const auto missing = [&](const char* key, const char* meaning, const char* example) {
+    if (pattern && !pattern->find(key))
+      diagnostics.error(tube.where, fmt::format("the key {} is missing", key),
                         fmt::format("add {}: {} of the tube as cut, e.g. \"{}\"; or name a sewing pattern: pattern = \"FILE\"", key, meaning, example));
   };
-  missing(tube.flat_circumference, "flat_circumference", "circumference", "400 mm");
-  missing(tube.length, "length", "length", "200 mm");
+  missing("flat_circumference", "circumference", "400 mm");
+  missing("length", "length", "200 mm");
   if (!garment.bottom.empty())
     diagnostics.error(garment.where, "bottom is for sewing patterns; a tube has its lower edge", "leave it out");
 }
@@ -202,11 +209,13 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
     error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
 }
 
-void check_garments(const Case& c, Diagnostics& diagnostics) {
+void check_garments(const Case& c, const Table& root, Diagnostics& diagnostics) {
   std::set<std::string> names;
-  for (const GarmentSpec& garment : c.garments) {
-    garment.pattern.sewn() ? check_sewn(garment, diagnostics) : check_tube(garment, diagnostics);
-    if (!garment.pattern.sewn() && garment.fabric.name.empty() && !garment.fabric.is_inline())
+  for (std::size_t g = 0; g < c.garments.size(); ++g) {
+    const GarmentSpec& garment = c.garments[g];
+    const Table* table = garment_table(root, g);
+    garment.pattern.sewn() ? check_sewn(garment, diagnostics) : check_tube(garment, table ? table->table("pattern") : nullptr, diagnostics);
+    if (!garment.pattern.sewn() && table && !table->find("fabric"))
       diagnostics.error(garment.where, "the key fabric is missing", "add fabric: an entry of snug materials list or a table of values");
     check_held(garment, diagnostics);
     if (!names.insert(garment.name).second)
@@ -318,11 +327,8 @@ void complete(Case& description, const Table& root) {
     const Value* pattern = garment ? garment->find("pattern") : nullptr;
     return pattern && (pattern->text() || (pattern->table() && pattern->table()->find("file")));
   };
-  for (std::size_t g = 0; g < description.garments.size(); ++g) {
-    const Value* garments = root.find("garment");
-    const bool list = garments && garments->array() && g < garments->array()->size();
-    if (names_file(list ? (*garments->array())[g].table() : root.table("garment"))) description.garments[g].pattern.kind = PatternKind::sewn;
-  }
+  for (std::size_t g = 0; g < description.garments.size(); ++g)
+    if (names_file(garment_table(root, g))) description.garments[g].pattern.kind = PatternKind::sewn;
   const Table* body = root.table("body");
   const Value* given = body ? body->find("layers") : nullptr;
   if (!description.body || !given || !given->array()) return;
@@ -339,7 +345,7 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   check_presence(description, root, diagnostics);
   if (description.body)
     if (const Table* body = root.table("body")) check_body(*description.body, *body, diagnostics);
-  check_garments(description, diagnostics);
+  check_garments(description, root, diagnostics);
   check_contacts(description, diagnostics);
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
