@@ -261,30 +261,44 @@ ParticleSheet::Places ParticleSheet::searched(const Places& x, const Eigen::Vect
   return next;
 }
 
-void ParticleSheet::step(double dt) {
-  if (!(dt > 0.0)) throw std::invalid_argument("a step needs a time");
-  constexpr int most_iterations = 200;
+std::optional<ParticleSheet::Places> ParticleSheet::minimum(double dt) const {
+  constexpr int most_iterations = 50;
   const std::size_t count = places_.size();
   double load = 0.0;
   for (std::size_t n = 0; n < count; ++n)
     load = std::max(load, mass(static_cast<int>(n)) * laws_.gravity + pulls_[n].norm());
   Places x = places_;
-  for (int iteration = 0;; ++iteration) {
+  for (int iteration = 0; iteration <= most_iterations; ++iteration) {
     const Assembly sum = derivatives(x, dt);
     Eigen::VectorXd right(3 * count);
     for (std::size_t n = 0; n < count; ++n) right.segment<3>(3 * n) = -sum.gradient[n];
     Eigen::SparseMatrix<double> matrix(3 * count, 3 * count);
     matrix.setFromTriplets(sum.entries.begin(), sum.entries.end());
     const double round_off = 4e-16 * matrix.diagonal().maxCoeff() * extent(x);
-    if (right.lpNorm<Eigen::Infinity>() < 1e-10 * load + round_off) break;
-    if (iteration == most_iterations) throw std::runtime_error("the step of the particles does not converge");
+    if (right.lpNorm<Eigen::Infinity>() < 1e-10 * load + round_off) return x;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(matrix);
-    if (factor.info() != Eigen::Success) throw std::runtime_error("the stiffness of the particles has no factor");
+    if (factor.info() != Eigen::Success) return std::nullopt;
     const Eigen::VectorXd way = factor.solve(right);
     x = searched(x, way, -right.dot(way), dt);
   }
-  for (std::size_t n = 0; n < count; ++n) velocities_[n] = (x[n] - places_[n]) / dt;
-  places_ = std::move(x);
+  return std::nullopt;
+}
+
+void ParticleSheet::step(double dt) {
+  if (!(dt > 0.0)) throw std::invalid_argument("a step needs a time");
+  constexpr int most_halvings = 16;
+  for (double done = 0.0, part = 1.0; done < 1.0;) {  // shares of the step, sums of powers of two
+    auto next = minimum(part * dt);
+    for (int halving = 0; !next; ++halving) {
+      if (halving == most_halvings) throw std::runtime_error("the step of the particles does not converge");
+      part *= 0.5;
+      next = minimum(part * dt);
+    }
+    for (std::size_t n = 0; n < places_.size(); ++n) velocities_[n] = ((*next)[n] - places_[n]) / (part * dt);
+    places_ = std::move(*next);
+    done += part;
+    part = std::min(2.0 * part, 1.0 - done);
+  }
 }
 
 }  // namespace snug::mesh

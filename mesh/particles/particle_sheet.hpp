@@ -60,9 +60,9 @@ class ParticleSheet {
   ParticleSheet(const SheetGrid& grid, SheetLaws laws, std::vector<Eigen::Vector3d> places, std::vector<bool> held,
                 std::optional<Repulsion> repulsion = {});
 
-  /// One step of implicit Euler (s): the minimum over x of |x - x0 - dt v0|^2 m/(2 dt^2) + |x - x0|^2 c/(2 dt) + U(x),
-  /// by Newton's method with a line search. Potential and kinetic energy together never grow. Throws std::runtime_error
-  /// where it does not converge.
+  /// A step of implicit Euler (s): the minimum over x of |x - x0 - dt v0|^2 m/(2 dt^2) + |x - x0|^2 c/(2 dt) + U(x), by
+  /// Newton's method with a line search; in parts where that does not converge for the whole. Potential and kinetic
+  /// energy together never grow. Throws std::runtime_error where the smallest parts do not converge.
   void step(double dt);
 
   const std::vector<Eigen::Vector3d>& places() const { return places_; }
@@ -82,6 +82,7 @@ class ParticleSheet {
   double potential(const Places& x) const;
   double objective(const Places& x, double dt) const;
   Assembly derivatives(const Places& x, double dt) const;
+  std::optional<Places> minimum(double dt) const;
   Places searched(const Places& x, const Eigen::VectorXd& way, double slope, double dt) const;
   void add(SheetForce kind, const Places& x, Assembly& into) const;
   void add_stretch(const Places& x, Assembly& into) const;

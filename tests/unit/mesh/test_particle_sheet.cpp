@@ -75,10 +75,11 @@ TEST(ParticleSheet, AHangingChainIsACatenary) {
   laws.bending_warp = laws.bending_weft = 0.0;
   laws.drag = 2.0;
   const SheetGrid grid{count, 1, length / (count - 1), 0.01};
-  Places places;
+  Places places;  // let go from a V of its own length
+  const double deep = std::sqrt(0.25 * length * length - 0.25 * apart * apart);
   for (int i = 0; i < count; ++i) {
     const double t = 2.0 * i / (count - 1) - 1.0;
-    places.emplace_back(0.5 * apart * t, 0.0, -0.3 * (1.0 - t * t));
+    places.emplace_back(0.5 * apart * t, 0.0, -deep * (1.0 - std::abs(t)));
   }
   std::vector<bool> held(count, false);
   held.front() = held.back() = true;
