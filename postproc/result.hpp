@@ -115,6 +115,15 @@ struct FitRow {
   double ease() const { return body_girth > 0.0 ? garment_girth / body_girth - 1.0 : 0.0; }
 };
 
+/// An elastic band along an edge of a garment, as worn.
+struct Band {
+  std::string garment, edge;
+  double rest_length = 0.0, length = 0.0;        ///< m
+  double tension = 0.0;                          ///< N, mean over its length
+  double least_tension = 0.0, largest_tension = 0.0;  ///< N
+  double line_load = 0.0;                        ///< N/m, tension times curvature in the mean: what it presses with by itself
+};
+
 /// Two surfaces of the body that touch, or a garment and what it lies on where garments lie over one another.
 struct SurfaceContact {
   std::string name, slave, master;
@@ -183,6 +192,7 @@ struct RunResult {
   std::vector<Hem> hems;          ///< named edges of a garment in contact
   std::vector<FitRow> fit;        ///< of the garments on a limb, from below
   std::vector<SurfaceContact> surface_contacts;
+  std::vector<Band> bands;
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;
   std::vector<DonningRow> donning;  ///< empty without friction

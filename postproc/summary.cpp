@@ -168,6 +168,21 @@ Json fit_json(const RunResult& run) {
   return json;
 }
 
+Json bands_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const Band& band : run.bands)
+    json.push_back({{"name", band.garment + ", " + band.edge},
+                    {"garment", band.garment},
+                    {"edge", band.edge},
+                    {"rest_length_m", band.rest_length},
+                    {"length_m", band.length},
+                    {"tension_N", band.tension},
+                    {"least_tension_N", band.least_tension},
+                    {"largest_tension_N", band.largest_tension},
+                    {"line_load_N_per_m", band.line_load}});
+  return json;
+}
+
 Json warnings_json(const RunResult& run) {
   Json json = Json::array();
   for (const Warning& w : run.warnings)
@@ -247,6 +262,7 @@ void add_outcome(Json& json, const RunResult& run) {
   json["balance"] = balance_json(run.balance);
   if (!run.hems.empty()) json["hems"] = hems_json(run);
   if (!run.fit.empty()) json["fit"] = fit_json(run);
+  if (!run.bands.empty()) json["bands"] = bands_json(run);
   if (!run.surface_contacts.empty()) json["surface_contacts"] = surface_contacts_json(run);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cases/input/suggestion.hpp"
+#include "cases/input/units.hpp"
 
 namespace snug::input {
 
@@ -176,6 +177,21 @@ void check_held(const GarmentSpec& garment, Diagnostics& diagnostics) {
       diagnostics.error(held.where, fmt::format("the {} edge is held twice", held.edge), "name each edge once");
 }
 
+void check_bands(const GarmentSpec& garment, Diagnostics& diagnostics) {
+  std::set<std::string> seen;
+  for (const BandSpec& band : garment.band) {
+    if (!seen.insert(band.edge).second && !band.edge.empty())
+      diagnostics.error(band.where, fmt::format("the {} edge has two bands", band.edge), "name each edge once");
+    if (band.rest_length.empty()) continue;
+    const auto length = rest_length(band, 1.0);
+    if (!length)
+      diagnostics.error(band.where, fmt::format("rest_length \"{}\" is neither a percentage nor a length", band.rest_length),
+                        "write how much shorter than the edge as cut it is, \"-8 %\", or how long, \"310 mm\"");
+    else if (!(*length > 0.0))
+      diagnostics.error(band.where, fmt::format("rest_length \"{}\" leaves nothing of the band", band.rest_length), "write more than -100 %");
+  }
+}
+
 /// A surface of the body; that it is there is known when the mesh is.
 bool between_solids(const ContactSpec& contact, const Case& c) {
   return !contact.slave.empty() && std::none_of(c.garments.begin(), c.garments.end(),
@@ -218,6 +234,7 @@ void check_garments(const Case& c, const Table& root, Diagnostics& diagnostics) 
     if (!garment.pattern.sewn() && table && !table->find("fabric"))
       diagnostics.error(garment.where, "the key fabric is missing", "add fabric: an entry of snug materials list or a table of values");
     check_held(garment, diagnostics);
+    check_bands(garment, diagnostics);
     if (!names.insert(garment.name).second)
       diagnostics.error(garment.where, fmt::format("a second garment is called \"{}\"", garment.name),
                         "give each garment a name of its own: name = \"band\"");
@@ -321,6 +338,12 @@ void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+std::optional<double> rest_length(const BandSpec& band, double pattern_length) {
+  if (const Quantity length = to_si(band.rest_length, "m"); length.ok()) return length.value;
+  if (const Quantity percent = to_si(band.rest_length, "%"); percent.ok()) return pattern_length * (1.0 + 0.01 * percent.value);
+  return {};
+}
 
 void complete(Case& description, const Table& root) {
   const auto names_file = [](const Table* garment) {  // even one that is not there

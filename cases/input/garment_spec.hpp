@@ -71,6 +71,30 @@ struct HeldEdge {
   }
 };
 
+/// An elastic band sewn along an edge.
+struct BandSpec {
+  std::string edge;
+  std::string rest_length;     ///< "-8 %" of the edge on the pattern, or a length
+  double stiffness = 0.0;      ///< N/m, force over strain and width
+  double width = 0.0;          ///< m
+  Location where = {};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "edge", .meaning = "edge of the garment that it is sewn along", .required = true}, self.edge);
+    field(Field{.key = "rest_length",
+                .meaning = "its length without tension: against the edge as cut (\"-8 %\": as much shorter), or a length (\"310 mm\")",
+                .required = true},
+          self.rest_length);
+    field(Field{.key = "stiffness", .unit = "N/m", .meaning = "force of a strain of 1, over its width", .required = true, .bound = positive()}, self.stiffness);
+    field(Field{.key = "width", .unit = "m", .meaning = "width of the band", .required = true, .bound = positive()}, self.width);
+  }
+};
+
+/// Rest length (m) of a band along an edge that is `pattern_length` (m) as cut; empty where the text is neither a percentage nor
+/// a length.
+std::optional<double> rest_length(const BandSpec& band, double pattern_length);
+
 struct GarmentSpec {
   std::string name = "garment";
   PatternSpec pattern;
@@ -84,6 +108,7 @@ struct GarmentSpec {
   int order = 2;               ///< of the triangles
   std::optional<bool> bending, weight;
   std::vector<HeldEdge> held;
+  std::vector<BandSpec> band;
   Location where;
 
   template <class Self, class Visitor>
@@ -120,7 +145,8 @@ struct GarmentSpec {
                 .meaning = "true: the fabric's weight is part of the scene, along load.gravity or else down the body's axis; "
                            "left out: where a part of the garment is wider than the body as placed"},
           self.weight);
-    field(Field{.key = "held", .meaning = "edges that the wearer or a band holds"}, self.held);
+    field(Field{.key = "held", .meaning = "edges that the wearer or the rest of a garment holds"}, self.held);
+    field(Field{.key = "band", .meaning = "elastic bands along edges", .one_or_more = true}, self.band);
   }
 };
 

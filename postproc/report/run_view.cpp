@@ -91,6 +91,9 @@ Json balance_view(const Json& summary) {
     add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
     add("Penetration", number(1e3 * value_at(summary, "max_penetration_m")) + " mm", "at most");
   }
+  for (const Json& row : summary.value("bands", Json::array()))
+    add("Band, " + row.value("name", ""), number(value_at(row, "tension_N")) + " N",
+        fmt::format("presses with {} N/m along {} mm", number(value_at(row, "line_load_N_per_m")), number(1e3 * value_at(row, "length_m"))));
   for (const Json& row : summary.value("surface_contacts", Json::array()))
     add("Contact, " + row.value("name", ""), number(value_at(row, "force_N")) + " N",
         fmt::format("{} Pa in the mean over {} cm²", number(value_at(row, "mean_pressure_Pa")), number(1e4 * value_at(row, "area_m2"))));

@@ -72,6 +72,14 @@ std::string hems_text(const postproc::RunResult& run) {
   return text;
 }
 
+std::string bands_text(const postproc::RunResult& run) {
+  std::string text;
+  for (const postproc::Band& band : run.bands)
+    text += fmt::format("  band               {}, {} edge: {:.3g} N ({:.3g} to {:.3g}) at {:.4g} mm, {:.4g} mm at rest; it presses with {:.3g} N/m\n", band.garment, band.edge,
+                        band.tension, band.least_tension, band.largest_tension, 1e3 * band.length, 1e3 * band.rest_length, band.line_load);
+  return text;
+}
+
 std::string listed(const char* name, const std::vector<std::string>& texts) {
   std::string text;
   for (const std::string& one : texts) text += fmt::format("  {:<18} {}\n", text.empty() ? name : "", one);
@@ -171,7 +179,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, name_of(run.status),
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
-  text += locations_text(evaluation) + hems_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
+  text += locations_text(evaluation) + hems_text(run) + bands_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}{}\n", memory_text(run.peak_memory), memory_of_ranks(run));
   return text + fmt::format("  files              {}\n", out.string());
 }

@@ -17,7 +17,7 @@ std::vector<postproc::SurfaceContact> contact_rows(const Touch& touch, const Sta
     postproc::SurfaceContact& row = rows[contact.master().surface_of(point.facet)];
     const double area = touch.sheet->area_ratio(state, point.triangle, point.L) * point.weight * touch.sheet->pattern_area(point.triangle);
     row.force += point.pressing, row.area += area;
-    row.largest_pressure = std::max(row.largest_pressure, point.pressing / area);
+    if (area > 0.0) row.largest_pressure = std::max(row.largest_pressure, point.pressing / area);
   }
   if (touch.friction)
     for (const auto& point : touch.friction->point_forces(state)) rows[contact.master().surface_of(point.facet)].friction_force += point.force.norm();

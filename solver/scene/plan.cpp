@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/scene/bands.hpp"
 #include "solver/scene/constraints.hpp"
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/layers.hpp"
@@ -126,6 +127,11 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
       fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric.name, mesh.triangles.size(), mesh.order));
   list_contact(model.contact_of(g), layers_text(master_names(meshes.garments, layers_under(model, meshes.garments, g))), plan);
   list_loose_cloth(name, model.garments[g].spec, fabric, mesh, plan);
+  for (const input::BandSpec& band : model.garments[g].spec.band) {
+    const BandModel as = band_model(band, mesh);
+    plan.parts_in.push_back(fmt::format("band of {}, {} edge: {:.3g} N at a strain of 1, {:.4g} mm at rest along {:.4g} mm as cut", name, band.edge, as.stiffness,
+                                        1e3 * as.rest_length, 1e3 * as.edge_length));
+  }
 }
 
 // A garment whose contact names the skin alone lies over others without touching them: thin cloth passes on what presses on it.

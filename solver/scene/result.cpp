@@ -9,6 +9,7 @@
 
 #include "postproc/hem.hpp"
 #include "postproc/skin_pressure.hpp"
+#include "solver/scene/bands.hpp"
 #include "solver/scene/contact_rows.hpp"
 #include "solver/scene/friction_result.hpp"
 #include "solver/scene/loads.hpp"
@@ -329,6 +330,7 @@ void fill_result(const Scene& scene, const State& state, const Model& model, con
   place_body(published["body"], result.body.fields);
   for (const Touch& touch : scene.touches())
     if (!touch.sheet) fill_solid_contact(state, touch, *model.contact(touch.contact->name()), result.body.fields, result);
+  result.bands = band_rows(scene, state);
   fill_reactions(scene, state, meshes.garments, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
   result.balance.free_motions_share = borne_by_free_motions(scene, state);

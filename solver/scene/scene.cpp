@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "solver/algebra/communicator.hpp"
+#include "solver/scene/bands.hpp"
 #include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/terms/shell.hpp"
@@ -354,6 +355,7 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   scene.add(Part{mesh.name, Role::garment, position});
   const FabricMembrane& fabric = scene.add(std::make_unique<FabricMembrane>(mesh.name, position, mesh, garment.fabric, prestretch));
   add_loose_cloth(model, g, mesh, scene);
+  add_bands(garment.spec, mesh, scene);
   const ContactModel* contact = model.contact_of(g);
   if (!contact) return;
   const double sheet = sheet_stiffness(garment.fabric, mesh);
@@ -362,7 +364,7 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   double stiffness = skin == Skin::deformable ? std::max(sheet, ground_stiffness(model, meshes.body, ground.mean_edge())) : sheet;
   for (const int layer : under) stiffness = std::max(stiffness, sheet_stiffness(model.garments[layer].fabric, meshes.garments[layer]));
   add_touch(*contact, master_names(meshes.garments, under), &fabric,
-            {scene.layout()[contact->name], garment_slave(position, mesh), over_layers(scene.layout(), meshes.garments, under, std::move(ground))},
+            {scene.layout()[contact->name], slave_with_bands(position, garment.spec, mesh), over_layers(scene.layout(), meshes.garments, under, std::move(ground))},
             stiffness, sheet, scene);
 }
 

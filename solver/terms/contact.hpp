@@ -91,7 +91,7 @@ class Contact : public Term {
     Eigen::Vector2d xi = Eigen::Vector2d::Zero();       ///< on the facet
     int triangle = 0;                                   ///< of the slave
     Eigen::Vector3d L = Eigen::Vector3d::Zero();        ///< its area coordinates there
-    double weight = 0.0;                                ///< fraction of the triangle's rest area
+    double weight = 0.0;                                ///< fraction of the triangle's rest area; of a line's point 0
   };
   std::vector<PointForce> point_forces(const State& state) const;
 

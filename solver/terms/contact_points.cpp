@@ -22,7 +22,7 @@ std::vector<Contact::PointForce> Contact::point_forces(const State& state) const
     const TriangleNodes x = positions(state, e);
     for (const ContactPoint& point : elements[e].points) {
       const Gap g = gap(state, x, point);
-      PointForce force{.x = g.x, .y = g.x, .triangle = e, .L = point.L, .weight = point.weight};
+      PointForce force{.x = g.x, .y = g.x, .triangle = e, .L = point.L, .weight = point.line ? 0.0 : point.weight};
       if (g.facing) {
         force.facet = point.site.facet;
         force.xi = clamped(interface_.master.kind(force.facet), point.site.xi);  // it may stay with its facet a little over the edge

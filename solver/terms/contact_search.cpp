@@ -77,6 +77,8 @@ void Contact::renew(State& state) const {
     const TriangleNodes x = positions(state, e);
     element.points = cut_by_stack(master(), nodes, state, x, slave.order, fallback_parts_);
     for (ContactPoint& point : element.points) point.weight *= slave.area_ratio(e, point.L);
+    if (const auto line = slave.lines.find(e); line != slave.lines.end())
+      for (const auto& [L, weight] : line->second) element.points.push_back({L, weight, garment_values(slave.order, L), {}, 1});
   });
 }
 
@@ -88,8 +90,8 @@ void Contact::locate(const State& state, ContactHistory& history) const {
   if (!master().deformable()) return;
   bool changed = false;
   for (Element& element : history.elements)
-    for (const auto& [L, weight, N, site] : element.points)
-      if (site.facet >= 0 && std::find(element.facets.begin(), element.facets.end(), site.facet) == element.facets.end()) {
+    for (const ContactPoint& point : element.points)
+      if (const Site& site = point.site; site.facet >= 0 && std::find(element.facets.begin(), element.facets.end(), site.facet) == element.facets.end()) {
         couple(element);
         changed = true;
         break;
@@ -102,7 +104,7 @@ template <class Archive, class S>
   requires std::is_same_v<std::remove_const_t<S>, ContactPoint>
 static void each(Archive& with, S& point) {
   with(point.L[0]), with(point.L[1]), with(point.L[2]), with(point.weight);
-  with(point.site.facet), with(point.site.xi[0]), with(point.site.xi[1]);
+  with(point.site.facet), with(point.site.xi[0]), with(point.site.xi[1]), with(point.line);
 }
 
 template <class Archive, class S>

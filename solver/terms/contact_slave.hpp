@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ struct ContactSlave {
   int mesh_nodes = 0;                  ///< of its mesh, before sewing
   std::vector<Triangle> triangles;
   std::vector<TriangleNodes> curved;   ///< rest shapes (m), one a triangle; empty: all are flat at rest
+  /// A point of a line along which a strip bears that is sewn on: its weight is the strip's rest area over the triangle's.
+  struct LinePoint {
+    Eigen::Vector3d L;
+    double weight = 0.0;
+  };
+  std::map<int, std::vector<LinePoint>> lines;  ///< of triangles along such a line
   std::vector<int> vertex_of_node;     ///< multiplier of a node of the mesh, -1 where it is no vertex
   std::vector<double> area;            ///< A_i = int L_i dA of a vertex, m2
   int order = 2;                       ///< 1: mid-edge nodes take no part

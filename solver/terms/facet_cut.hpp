@@ -21,6 +21,7 @@ struct ContactPoint {
   double weight = 0.0;                ///< fraction of the triangle's rest area
   Eigen::Matrix<double, 6, 1> N;      ///< shape functions of the garment
   Site site;
+  int line = 0;                       ///< 1: it stands for a part of a line, not of the triangle's area (ContactSlave::lines)
 };
 
 /// Positions and unit normals of the skin's nodes in one state: a node's normal is the mean over its facets, so that two
