@@ -38,15 +38,17 @@ std::vector<int> nodes_of_edge(const SewnMesh& sewn, const std::string& edge) {
 }
 
 void name_edges(const GarmentCut& cut, const SewnMesh& sewn, GarmentMesh& mesh) {
-  for (const input::HeldEdge& held : cut.spec.held) {
-    if (mesh.edges.contains(held.edge)) continue;
-    mesh.edges[held.edge] = nodes_of_edge(sewn, held.edge);
-    if (!mesh.edges[held.edge].empty()) continue;
+  const auto name = [&](const std::string& edge, const input::Location& where) {
+    if (mesh.edges.contains(edge)) return;
+    mesh.edges[edge] = nodes_of_edge(sewn, edge);
+    if (!mesh.edges[edge].empty()) return;
     std::vector<std::string> names;
-    for (const auto& [name, nodes] : sewn.open) names.push_back("\"" + name + "\"");
-    throw InputError(held.where, fmt::format("\"{}\" is no edge of the pattern", held.edge),
+    for (const auto& [open, nodes] : sewn.open) names.push_back("\"" + open + "\"");
+    throw InputError(where, fmt::format("\"{}\" is no edge of the pattern", edge),
                      fmt::format("its open edges are {}; an edge of a piece is \"piece.edge\"", fmt::join(names, ", ")));
-  }
+  };
+  for (const input::HeldEdge& held : cut.spec.held) name(held.edge, held.where);
+  for (const input::BandSpec& band : cut.spec.band) name(band.edge, band.where);
 }
 
 /// What the pattern says of its fabric, where the case says nothing. Throws where its pieces are of several.
