@@ -250,6 +250,22 @@ TEST_F(CaseDirectory, ContactsAndGarmentsThatDoNotFitTogetherAreNamed) {
               testing::HasSubstr("touch itself"));
 }
 
+// A band's rest length is a share of the edge as cut or a length; what is neither, or leaves nothing, is said.
+TEST_F(CaseDirectory, BandsHaveARestLength) {
+  BandSpec band{.edge = "upper", .rest_length = "-8 %"};
+  EXPECT_DOUBLE_EQ(*rest_length(band, 0.5), 0.46);
+  band.rest_length = "310 mm";
+  EXPECT_DOUBLE_EQ(*rest_length(band, 0.5), 0.31);
+  band.rest_length = "tight";
+  EXPECT_FALSE(rest_length(band, 0.5));
+  const auto errors = [&](const std::string& length) {
+    return all(errors_of(good_ + "[[garment.band]]\nedge = \"upper\"\nrest_length = \"" + length + "\"\nstiffness = \"150 N/m\"\nwidth = \"25 mm\"\n"));
+  };
+  EXPECT_EQ(errors("-8 %"), "");
+  EXPECT_THAT(errors("tight"), testing::HasSubstr("rest_length \"tight\" is neither a percentage nor a length"));
+  EXPECT_THAT(errors("-100 %"), testing::HasSubstr("leaves nothing of the band"));
+}
+
 TEST_F(CaseDirectory, ATierWithoutABodyMovesNone) {
   // On a rigid body a support that moves is an error; one that holds is left out and said so by the plan.
   EXPECT_THAT(all(errors_of(good_ + "[[support]]\non = \"upper\"\nz = \"2 mm\"\n[solver]\ntier = \"L1\"\n")),
