@@ -163,6 +163,8 @@ void check_tube(const GarmentSpec& garment, const Table* pattern, Diagnostics& d
 void check_sewn(const GarmentSpec& garment, Diagnostics& diagnostics) {
   const PatternSpec& sewn = garment.pattern;
   if (sewn.file.empty() && diagnostics.errors().empty()) diagnostics.error(sewn.where, "a sewn pattern names no file", "add file = \"patterns/vest.toml\"");
+  if (garment.warp != WarpDirection::along)
+    diagnostics.error(garment.where, "warp is of a tube, and the pieces of a pattern have their grain", "leave it out; give the pieces another grain");
   for (const auto& [size, key] : {std::pair{sewn.flat_circumference, "flat_circumference"}, std::pair{sewn.length, "length"}})
     if (size != 0.0) diagnostics.error(sewn.where, fmt::format("{} is of a tube, and there is a file", key), "leave it out; girth_scale and length_scale change the pattern");
 }

@@ -67,6 +67,7 @@ TEST_F(SewnCase, WrongPatternsAreRefusedWithThePlaceInTheCase) {
   refused(" --set 'garment.pattern={ file = \"patterns/halves.toml\", pieces = [\"part 7\"] }'", "\"part 7\" is no piece of");
   refused(halves_ + " --set 'garment.held=[{ edge = \"waist\", held = \"all\" }]'", "\"waist\" is no edge of the pattern");
   refused(" --set 'garment.pattern={ file = \"patterns/halves.toml\", length = \"160 mm\" }'", "length is of a tube");
+  refused(halves_ + " --set garment.warp=around", "the pieces of a pattern have their grain");
   refused(" --set 'garment.pattern={ kind = \"tube\", length = \"160 mm\" }'", "the key flat_circumference is missing");
 }
 
