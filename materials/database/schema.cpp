@@ -58,9 +58,11 @@ int version_of(const Connection& connection) { return static_cast<int>(connectio
 
 /// Throws where the file is not ours; true where it is new.
 bool is_new(const Connection& connection) {
-  const auto owner = connection.integer("PRAGMA application_id");
+  // The owner last: while another process makes the file, in one transaction, what is read before may be of before.
+  const auto tables = connection.integer("SELECT count(*) FROM sqlite_schema");
   const int version = version_of(connection);
-  if (owner == 0 && version == 0 && connection.integer("SELECT count(*) FROM sqlite_schema") == 0) return true;
+  const auto owner = connection.integer("PRAGMA application_id");
+  if (owner == 0 && version == 0 && tables == 0) return true;
   if (owner != application)
     throw input::InputError({connection.file(), 0, 0}, "this is a database of another program",
                             "name another file in SNUG_LIBRARY");

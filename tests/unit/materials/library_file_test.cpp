@@ -28,7 +28,8 @@ class LibraryFileTest : public LibraryTest {
     if (child != 0) return child;
     try {
       work();
-    } catch (...) {
+    } catch (const std::exception& error) {
+      std::cerr << "a process ended with: " << error.what() << "\n";
       ::_exit(1);
     }
     ::_exit(0);
