@@ -139,7 +139,7 @@ TEST_F(Program, ReferenceExplainsEveryKey) {
   // explain tells meaning, unit and default; an unknown key is status 2 with the nearest one.
   const Outcome outcome = snug("explain garment.position");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.text.find("height of the lower edge"), std::string::npos) << outcome.text;
+  EXPECT_NE(outcome.text.find("height of the lowest point"), std::string::npos) << outcome.text;
   const Outcome unknown = snug("explain positon");
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.text.find("position"), std::string::npos) << unknown.text;
