@@ -4,7 +4,10 @@
 #include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 
+#include <array>
 #include <cmath>
+
+#include "mesh/garment/corner_gradients.hpp"
 
 namespace snug::mesh {
 
@@ -16,10 +19,8 @@ using Tangents = Eigen::Matrix<double, 3, 2>;
 constexpr int most_steps = 60;
 constexpr double at_rest = 1e-4;  // of the mean edge: the longest step that is no longer worth another
 
-struct Triangle {
+struct Triangle : CornerGradients {
   std::array<int, 3> unknown;
-  Eigen::Matrix<double, 2, 3> shape;  ///< gradients of the corner functions, 1/m
-  double area;                        ///< m2
 };
 
 /// The isometry nearest to a gradient.
@@ -33,17 +34,12 @@ class Sliding {
   Sliding(const SewnMesh& sewn, const LimbSheet& sheet) : sheet_(sheet), round_(sheet.mean_girth()), rest_(at_rest * sewn.mean_edge) {
     std::vector<int> unknown(sewn.flat.size(), -1);
     for (const auto& t : sewn.triangles) {
-      Triangle triangle;
+      Triangle triangle{corner_gradients(sewn.flat[t[0]], sewn.flat[t[1]], sewn.flat[t[2]]), {}};
       for (int k = 0; k < 3; ++k) {
         int& number = unknown[sewn.merged[t[k]]];
         if (number < 0) number = static_cast<int>(vertices_.size()), vertices_.push_back(sewn.merged[t[k]]);
         triangle.unknown[k] = number;
       }
-      const Eigen::Vector2d &a = sewn.flat[t[0]], &b = sewn.flat[t[1]], &c = sewn.flat[t[2]];
-      const double twice = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-      const auto turned = [&](const Eigen::Vector2d& v) -> Eigen::Vector2d { return Eigen::Vector2d(-v.y(), v.x()) / twice; };
-      triangle.shape << turned(c - b), turned(a - c), turned(b - a);
-      triangle.area = 0.5 * twice;
       triangles_.push_back(triangle);
     }
   }

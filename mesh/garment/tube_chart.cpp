@@ -11,6 +11,8 @@
 #include <limits>
 #include <map>
 
+#include "mesh/garment/corner_gradients.hpp"
+
 namespace snug::mesh {
 
 namespace {
@@ -43,11 +45,9 @@ class Surface {
   /// Gradients of the corner functions in the drawing (columns) and the area, m2.
   double gradients(int t, Eigen::Matrix<double, 2, 3>& result) const {
     const auto& n = sewn_.triangles[t];
-    const Vector2d a = sewn_.flat[n[0]], b = sewn_.flat[n[1]], c = sewn_.flat[n[2]];
-    const double twice = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
-    const auto turned = [&](const Vector2d& v) -> Vector2d { return Vector2d(-v.y(), v.x()) / twice; };
-    result << turned(c - b), turned(a - c), turned(b - a);
-    return 0.5 * twice;
+    const auto [shape, area] = corner_gradients(sewn_.flat[n[0]], sewn_.flat[n[1]], sewn_.flat[n[2]]);
+    result = shape;
+    return area;
   }
 
  private:

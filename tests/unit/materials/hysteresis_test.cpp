@@ -6,6 +6,7 @@
 #include "cases/input/reader.hpp"
 #include "materials/fabric/fabric_data.hpp"
 #include "materials/fabric/measured.hpp"
+#include "tests/unit/materials/measured_fabrics.hpp"
 
 namespace snug::testing {
 namespace {
@@ -13,24 +14,6 @@ namespace {
 using input::FabricBranch, input::InputError, input::MaterialEntry;
 using materials::CurvePoint, materials::Fabric, materials::fabric_data, materials::FabricData, materials::find_fabric,
     materials::TensionCurve;
-
-constexpr double gf_per_cm = 0.980665;  // N/m; also J/m2 of one gf cm/cm2
-
-double green(double e) { return e + 0.5 * e * e; }
-double nominal(const TensionCurve& curve, double e) { return (1 + e) * curve.at(green(e)).force; }
-
-MaterialEntry inline_table(const std::string& text) {
-  const input::Location where{"case.toml", 7, 12};
-  return {.name = {}, .table = input::table_of(text, where), .where = where};
-}
-std::string fault(auto&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 struct Printed {
   const char* name;

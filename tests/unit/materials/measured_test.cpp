@@ -8,30 +8,13 @@
 #include "cases/input/reader.hpp"
 #include "materials/fabric/fabric.hpp"
 #include "materials/fabric/measured.hpp"
+#include "tests/unit/materials/measured_fabrics.hpp"
 
 namespace snug::testing {
 namespace {
 
 using input::InputError, input::MaterialEntry;
 using materials::CurvePoint, materials::Fabric, materials::find_fabric, materials::TensionCurve;
-
-constexpr double gf_per_cm = 0.980665;  // N/m
-
-double green(double e) { return e + 0.5 * e * e; }
-double nominal(const TensionCurve& curve, double e) { return (1 + e) * curve.at(green(e)).force; }
-
-MaterialEntry inline_table(const std::string& text, const std::filesystem::path& folder = "") {
-  const input::Location where{(folder / "case.toml").string(), 7, 12};
-  return {.name = {}, .table = input::table_of(text, where), .where = where};
-}
-std::string fault(auto&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(MeasuredCurve, GoesThroughItsPointsRisesAndIsItsOwnIntegral) {
   // F and S = F/(1 + e) at the points; between them monotone; energy and stiffness are integral and slope of the force.
