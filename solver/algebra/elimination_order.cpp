@@ -128,4 +128,13 @@ std::vector<int> nested_dissection(const RowPattern& rows) {
   return place;
 }
 
+std::vector<int> vertex_starts(const RowPattern& rows) {
+  const std::vector<int> vertex_of = vertices_of(rows).vertex_of;
+  std::vector<int> starts;
+  for (int u = 0; u < rows.unknowns; ++u)
+    if (u == 0 || vertex_of[u] != vertex_of[u - 1]) starts.push_back(u);
+  starts.push_back(rows.unknowns);
+  return starts;
+}
+
 }  // namespace snug::solver

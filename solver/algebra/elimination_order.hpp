@@ -13,4 +13,7 @@ namespace snug::solver {
 /// Source: Karypis & Kumar, SIAM J. Sci. Comput. 20 (1998) 359-392.
 std::vector<int> nested_dissection(const RowPattern& rows);
 
+/// The vertices of that graph: the first unknown of each, from 0 on, and the number of unknowns at the end; on all ranks.
+std::vector<int> vertex_starts(const RowPattern& rows);
+
 }  // namespace snug::solver

@@ -32,7 +32,7 @@ constexpr double stalled = 0.1;  // an iteration with a fresh factor that brings
 // costs less than a factor.
 constexpr double good_enough = 1e-3;
 // From so many unknowns on a compressed factor costs less (docs/growth.md).
-constexpr int low_rank_from = 300000;
+constexpr int low_rank_from = 100000;
 // With the factor of the symmetric part: 11 to 28 were seen on bars that bend under a pressure of twice their shear modulus.
 // The factor of the whole costs twice as much, in time and in memory.
 constexpr int most_unsymmetric = 60;

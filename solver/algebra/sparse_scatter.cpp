@@ -155,6 +155,8 @@ void SparseScatter::add(int group_index, int element, std::span<const double> re
   add_unfolded(group, element, force, stiffness);
 }
 
+// The places of an element lie all over the matrix, so that its time is that of memory: loops of fixed length leave the processor
+// free to fetch many places at once.
 void SparseScatter::add_unfolded(const Group& group, int element, std::span<const double> residual,
                                  std::span<const double> matrix) {
   const auto runs = group.runs_of(element);
@@ -162,16 +164,36 @@ void SparseScatter::add_unfolded(const Group& group, int element, std::span<cons
   const int* places = group.places.data() + group.place_offset[element];
   for (const Run& to : runs) {
     if (to.row < 0) continue;
-    for (int i = 0; i < to.length; ++i) {
-      residual_[to.row + i] += residual[to.local + i];
-      if (matrix.empty()) continue;
-      double* row = value_.data() + row_offset_[to.row + i];
-      const double* given = matrix.data() + static_cast<std::size_t>(to.local + i) * n;
-      for (std::size_t c = 0; c < runs.size(); ++c)
-        if (places[c] >= 0)
-          for (int k = 0; k < runs[c].length; ++k) row[places[c] + k] += given[runs[c].local + k];
+    for (int i = 0; i < to.length; ++i) residual_[to.row + i] += residual[to.local + i];
+    if (!matrix.empty()) {
+      const double* given = matrix.data() + static_cast<std::size_t>(to.local) * n;
+      if (to.length == 3) add_three_rows(to.row, runs, places, given, n);
+      else
+        for (int i = 0; i < to.length; ++i) add_row(to.row + i, runs, places, given + static_cast<std::size_t>(i) * n);
     }
     places += runs.size();
+  }
+}
+
+void SparseScatter::add_row(int row, std::span<const Run> runs, const int* places, const double* given) {
+  double* values = value_.data() + row_offset_[row];
+  for (std::size_t c = 0; c < runs.size(); ++c)
+    if (places[c] >= 0)
+      for (int k = 0; k < runs[c].length; ++k) values[places[c] + k] += given[runs[c].local + k];
+}
+
+// Of one run: they have the same columns.
+void SparseScatter::add_three_rows(int row, std::span<const Run> runs, const int* places, const double* given, int n) {
+  double* first = value_.data() + row_offset_[row];
+  const int length = row_offset_[row + 1] - row_offset_[row];
+  for (std::size_t c = 0; c < runs.size(); ++c) {
+    if (places[c] < 0) continue;
+    double *a = first + places[c], *b = a + length, *d = b + length;
+    const double *x = given + runs[c].local, *y = x + n, *z = y + n;
+    if (runs[c].length == 3)
+      for (int k = 0; k < 3; ++k) a[k] += x[k], b[k] += y[k], d[k] += z[k];
+    else
+      for (int k = 0; k < runs[c].length; ++k) a[k] += x[k], b[k] += y[k], d[k] += z[k];
   }
 }
 

@@ -101,6 +101,8 @@ class SparseScatter {
   void place(const Numbering& numbering, const ElementEntries& entries, Group& group) const;
   void place_runs(std::size_t first, Group& group) const;
   void add_unfolded(const Group& group, int element, std::span<const double> residual, std::span<const double> matrix);
+  void add_row(int row, std::span<const Run> runs, const int* places, const double* given);
+  void add_three_rows(int row, std::span<const Run> runs, const int* places, const double* given, int n);
 
   int first_row_ = 0, end_row_ = 0, unknowns_ = 0;
   std::vector<int> row_offset_, column_;
