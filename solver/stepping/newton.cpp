@@ -77,6 +77,9 @@ constexpr double near = 1e-3;
 constexpr double far = 0.1;
 // Vertices that come or go while the last factor still does for the others: each costs FGMRES an iteration or two.
 constexpr int few_vertices = 200;  // one in so many
+// Tolerance of the solves of an increment that others go on from. Its end is not solved to the last digit, and friction remembers
+// where it was: what such a solve leaves is left in the answer.
+constexpr double on_the_way = 1e-6;
 // Tolerance of a solve that takes a lagged factor more than half of the iterations it is allowed.
 constexpr double long_solve = 1e-5;
 // Reduction of the residual by a step of Newton's method that converges quadratically.
@@ -91,7 +94,7 @@ constexpr double fast = 0.1;
 // has come down and few vertices have come or gone. Whether it still does is for the linear solver to see by its contraction. The
 // residual that counts here is the condensed one: forces balance under carried pressures while volumes are still wrong.
 Lag forcing(const NewtonSettings& settings, double residual, double reduction, bool settled, int changed) {
-  const double loosest = changed > 0 || residual > near ? 1e-4 : 2e-2;
+  const double loosest = !settings.recut ? on_the_way : changed > 0 || residual > near ? 1e-4 : 2e-2;
   const double wanted = reduction < fast ? 0.1 * residual : 0.3 * reduction * reduction;
   return {settings.may_lag && settled && residual < far, std::clamp(wanted, 1e-10, loosest)};
 }
