@@ -210,7 +210,7 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   scatter_.add_diagonal(diagonal);
   Eigen::VectorXd x;
   const LinearReport report = solver_.solve(scatter_, right, x, lag);
-  if (report.refactored) of_minimum_ = report.ok && report.negative_pivots <= saddle_rows();
+  if (report.refactored) of_minimum_ = report.ok && tangent == Tangent::full && report.negative_pivots <= saddle_rows();
   costs_.factorisation += report.factor_seconds, costs_.solution += report.solve_seconds;
   costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;
   costs_.factor = report.factor;

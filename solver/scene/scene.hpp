@@ -88,7 +88,7 @@ class Scene {
   /// `step` has an entry for every state entry. Prescribed entries take the step to their place at state.load, and the
   /// others answer to it.
   LinearReport solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step);
-  /// The last factor was of a tangent, or of its convex part, without more negative pivots than its saddle rows.
+  /// The last factor was one of a full tangent without more negative pivots than its saddle rows.
   bool factor_is_of_minimum() const { return of_minimum_; }
   /// After `solve` at the state: the step that other forces (one value an entry) ask for, with the same matrix.
   bool respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step);

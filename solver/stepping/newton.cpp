@@ -189,6 +189,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   State last = state;
   double before = std::numeric_limits<double>::max(), condensed_before = before, boost = 1.0;
   Stationary known = Stationary::unknown;
+  bool convex_factor = false;  // the last factor was of this increment's convex tangent, and of a minimum; a run that is resumed has none of an increment before
   bool in_place = true, cut = !settings.recut || !scene.renews_near_answer();
   const bool downhill = !scene.bends(), constrained = scene.saddle_rows() > 0;
   const bool damped = (scene.bends() || constrained) && scene.damped();  // without a proximal term a step would be the same again
@@ -212,7 +213,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (patience.lost(now, iteration, downhill && !constrained && row.step >= long_stride)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
     if (iteration >= most) return Outcome::too_many_iterations;
-    const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.9 * condensed_before && scene.factor_is_of_minimum();
+    const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.9 * condensed_before &&
+                         (scene.factor_is_of_minimum() || convex_factor);
     const double reduction = now.condensed / condensed_before;
     const bool too_far = damped && in_place && now.residual > std::max(1.0, too_much_growth * before);
     if (too_far && boost < largest_boost) {  // hold back and repeat; what contact has seen on the way is kept (a taper: 44 iterations, not 188)
@@ -234,6 +236,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     bool full = false;
     const LinearReport report = descent(scene, state, settings, before, lag, proximal, step, full);
     if (!report.ok) return Outcome::linear_solver_failed;
+    if (report.refactored) convex_factor = !full && kind(report, scene) == Stationary::minimum;
     if (report.refactored) known = condensed_before < near && full ? kind(report, scene) : Stationary::unknown;
     row.event = report.refactored ? "" : "lagged";
     row.step = scene.step_bound(state, step);
