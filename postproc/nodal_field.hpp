@@ -44,7 +44,7 @@ struct FieldOptions {
   double length_unit = 1.0;             ///< m, of coordinates and displacements
   double stress_unit = 1.0;             ///< Pa
   std::optional<ShellSurface> surface;  ///< take this surface of shells only
-  std::optional<int> load_step;         ///< of several in a listing; empty: the last one
+  std::optional<int> load_step = {};    ///< of several in a listing; empty: the last one
   std::filesystem::path nodes;          ///< listing of the coordinates (NLIST); empty: none but those in the file
 };
 

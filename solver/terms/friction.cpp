@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/terms/parallel.hpp"
 
@@ -101,7 +102,7 @@ FrictionHistory::Element Friction::frame(const State& state, const Eigen::Vector
   return element;
 }
 
-std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(const State& state, const Eigen::VectorXd& held) const {
+std::shared_ptr<std::vector<FrictionHistory::Element>> Friction::frames(const State& state, const Eigen::VectorXd& held) const {
   auto frames = std::make_shared<std::vector<FrictionHistory::Element>>(contact_.triangles());
   tbb::parallel_for(0, contact_.triangles(), [&](int triangle) { (*frames)[triangle] = frame(state, held, triangle); });
   return frames;
@@ -110,7 +111,25 @@ std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(co
 void Friction::update(State& state) const {
   FrictionHistory& history = edit(state);
   if (history.stiffness == 0.0) history.stiffness = slip_stiffness(state);
-  history.frames = frames(state, history.held);
+  const auto before = std::exchange(history.fresh, false) ? nullptr : history.frames;
+  const auto now = frames(state, history.held);
+  history.frames = now;
+  if (history.stiffness > 0.0) follow_slip(state, history, before.get(), *now);
+}
+
+void Friction::follow_slip(const State& state, const FrictionHistory& history, const std::vector<FrictionHistory::Element>* before,
+                           std::vector<FrictionHistory::Element>& now) const {
+  tbb::parallel_for(0, contact_.triangles(), [&](int e) {
+    const Eigen::VectorXd d = change(state, history, e);
+    for (int v = 0; v < 3; ++v) {
+      Corner& corner = now[e][v];
+      if (corner.area <= 0.0) continue;
+      const Return r = traction(history, d, e, v);
+      if (!r.slips) continue;
+      corner.slipping = r.traction;
+      corner.turned = before && corner.slipping.dot((*before)[e][v].slipping) < 0.0;
+    }
+  });
 }
 
 Eigen::VectorXd Friction::change(const State& state, const FrictionHistory& history, int triangle) const {
@@ -164,7 +183,8 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
       Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
       if (r.slips) {
         const Eigen::Vector3d m = r.trial.normalized();
-        H = corner.bound / r.trial.norm() * (H - m * m.transpose());
+        if (!corner.turned) H -= m * m.transpose();
+        H *= corner.bound / r.trial.norm();
       }
       slot.matrix.topLeftCorner(columns, columns).noalias() +=
           corner.slip.transpose() * (now.stiffness / corner.area * H * corner.slip);
@@ -188,6 +208,7 @@ void Friction::commit(State& state) const {
   }
   now.traction = std::move(tractions);
   now.anchor = state.values;
+  now.fresh = true;
   if (state.release == 0.0)
     for (Eigen::Index corner = 0; corner < now.held.size(); ++corner) now.held[corner] = now.traction.segment<3>(3 * corner).norm();
 }

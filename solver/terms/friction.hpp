@@ -20,6 +20,8 @@ struct FrictionHistory : public History {
     double bound = 0.0;   ///< mu p_v / release + (1 - release) |t_v| of the last state that stuck without a bound, Pa
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries) in the plane of `normal`, m2
+    Eigen::Vector3d slipping = Eigen::Vector3d::Zero();  ///< traction of this iterate where it slips, Pa; 0 where it sticks
+    bool turned = false;  ///< it slips against the way in which the iterate before slipped
   };
   using Element = std::array<Corner, 3>;
 
@@ -27,6 +29,7 @@ struct FrictionHistory : public History {
   Eigen::VectorXd traction;  ///< on the skin there, Pa per rest area of the garment; three corners a triangle
   Eigen::VectorXd held;      ///< its length where the garment last stuck without a bound, Pa; a corner of a triangle
   double stiffness = 0.0;    ///< k, Pa/m; 0: nothing touches yet
+  bool fresh = true;         ///< no iterate has been looked at since the accepted state
   std::shared_ptr<const std::vector<Element>> frames;  ///< of the last update
 };
 
@@ -44,7 +47,9 @@ struct FrictionHistory : public History {
 /// Contact and Impact Mechanics (2002), ch. 5 (U_q).
 /// The points' frames and the bound mu p_v are those of the last `update`. With them frozen the forces derive from the
 /// convex potential A_v psi(u_v) (Huber's function: Tresca friction), so that the tangent is symmetric and positive
-/// semidefinite. As every iterate updates them, the converged state obeys Coulomb's law without any lag.
+/// semidefinite. A corner that slips has no stiffness along its slip, so that a whole step may carry it past where it would stick, and
+/// the next one back: where its slip has turned against the last iterate's it has the secant's stiffness, mu p_v / |u_v|, along it, too
+/// (Kacanov's iteration, which goes downhill on Huber's function). As every iterate updates them, the converged state obeys Coulomb's law without any lag.
 class Friction : public Term {
  public:
   static constexpr double usual_elastic_slip = 0.005;  ///< over the garment's mean edge
@@ -92,7 +97,10 @@ class Friction : public Term {
   double vertex_pressure(const State& state, int vertex) const;
   double slip_stiffness(const State& state) const;
   FrictionHistory::Element frame(const State& state, const Eigen::VectorXd& held, int triangle) const;
-  std::shared_ptr<const std::vector<FrictionHistory::Element>> frames(const State& state, const Eigen::VectorXd& held) const;
+  std::shared_ptr<std::vector<FrictionHistory::Element>> frames(const State& state, const Eigen::VectorXd& held) const;
+  /// Which corners slip, and which of them against the way of the iterate before (may be null).
+  void follow_slip(const State& state, const FrictionHistory& history, const std::vector<FrictionHistory::Element>* before,
+                   std::vector<FrictionHistory::Element>& now) const;
   Eigen::VectorXd change(const State& state, const FrictionHistory& history, int triangle) const;
   static Return traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int corner);
 

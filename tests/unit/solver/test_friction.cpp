@@ -295,6 +295,30 @@ TEST(Friction, IsLeftOutWhereTheCaseHasNone) {
   EXPECT_FALSE(state.history.has("friction"));
 }
 
+TEST(Friction, ACornerThatTurnsHasTheStiffnessOfItsSecant) {
+  // Where the slip has turned against the last iterate's, the tangent times the way since the accepted state is the force itself
+  // (t = mu p u / |u|), so that no step goes on past the sticking; where it goes on the same way, that product is nothing.
+  Rubbed rubbed(Skin::rigid, slipping);
+  const Eigen::VectorXd anchor = rubbed.state.history.get<solver::FrictionHistory>("friction").anchor;
+  rubbed.state.history.edit<solver::FrictionHistory>("friction").traction.setZero();
+  rubbed.update();
+  const Eigen::Index positions = rubbed.scene.layout().positions();
+  rubbed.state.values.head(positions) = (2.0 * anchor - rubbed.state.values).head(positions).eval();
+  rubbed.update();
+  const auto product = [&](const Assembled& at) -> Eigen::VectorXd {
+    Eigen::VectorXd way = rubbed.state.values - rubbed.state.history.get<solver::FrictionHistory>("friction").anchor;
+    way.tail(way.size() - positions).setZero();
+    return at.tangent * way;
+  };
+  const Assembled turned = assemble(rubbed.friction(), rubbed.state, Tangent::full);
+  EXPECT_GT(turned.residual.norm(), 1.0);
+  EXPECT_LE((product(turned) - turned.residual).norm(), 1e-12 * turned.residual.norm());
+  rubbed.update();
+  const Assembled on = assemble(rubbed.friction(), rubbed.state, Tangent::full);
+  EXPECT_LE((on.residual - turned.residual).norm(), 1e-14 * on.residual.norm());
+  EXPECT_LE(product(on).norm(), 1e-12 * on.residual.norm());
+}
+
 TEST(Friction, ClothThatTouchesNothingIsLetGoByAndBy) {
   // What stuck without a bound keeps (1 - release) of its traction as a bound where nothing presses it, and nothing of it at the end.
   Rubbed rubbed(Skin::rigid, 1e-4);
