@@ -140,6 +140,12 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   check_thicknesses(body, diagnostics);
 }
 
+constexpr const char* position_missing = "the key position is missing";
+constexpr const char* position_remedy = "add position: height of the lowest point as placed, e.g. \"0.1 m\"";
+
+/// Crotch, shoulders and waist tell where a garment is worn.
+bool may_branch(const BodySpec& body) { return body.kind != BodyKind::stations; }
+
 /// The table of a garment in the case.
 const Table* garment_table(const Table& root, std::size_t garment) {
   const Value* garments = root.find("garment");
@@ -235,6 +241,7 @@ void check_garments(const Case& c, const Table& root, Diagnostics& diagnostics) 
     garment.pattern.sewn() ? check_sewn(garment, diagnostics) : check_tube(garment, table ? table->table("pattern") : nullptr, diagnostics);
     if (!garment.pattern.sewn() && table && !table->find("fabric"))
       diagnostics.error(garment.where, "the key fabric is missing", "add fabric: an entry of snug materials list or a table of values");
+    if (table && !table->find("position") && !(c.body && may_branch(*c.body))) diagnostics.error(garment.where, position_missing, position_remedy);
     check_held(garment, diagnostics);
     check_bands(garment, diagnostics);
     if (!names.insert(garment.name).second)
@@ -345,6 +352,11 @@ std::optional<double> rest_length(const BandSpec& band, double pattern_length) {
   if (const Quantity length = to_si(band.rest_length, "m"); length.ok()) return length.value;
   if (const Quantity percent = to_si(band.rest_length, "%"); percent.ok()) return pattern_length * (1.0 + 0.01 * percent.value);
   return {};
+}
+
+double lowest_point(const GarmentSpec& garment) {
+  if (garment.position) return *garment.position;
+  throw InputError(garment.where, position_missing, position_remedy);
 }
 
 void complete(Case& description, const Table& root) {

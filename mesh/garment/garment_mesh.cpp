@@ -27,7 +27,7 @@ void check(const input::GarmentSpec& spec, const Limb& limb, double cell_size) {
     throw InputError(spec.where, fmt::format("the cell size is {:g} mm", 1e3 * cell_size),
                      "write a positive cell_size, or leave it out to take the skin's");
   constexpr double tolerance = 1e-9;  // m, so that a garment of the limb's whole length fits
-  const double lower = spec.position, upper = spec.position + pattern.length;
+  const double lower = input::lowest_point(spec), upper = lower + pattern.length;
   if (lower < limb.lower - tolerance || upper > limb.upper + tolerance)
     throw InputError(spec.where,
                      fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm",
@@ -50,7 +50,7 @@ void place(const input::GarmentSpec& spec, const Limb& limb, double lift, Garmen
   std::map<double, GirthCurve> curves;  // the nodes of an edge share a height
   for (std::size_t n = 0; n < mesh.pattern.size(); ++n) {
     const Eigen::Vector2d& x = mesh.pattern[mesh.merged[n]];
-    const double z = spec.position + x.y();
+    const double z = *spec.position + x.y();
     auto it = curves.find(z);
     if (it == curves.end()) it = curves.emplace(z, GirthCurve(limb, z, width, lift, limb.skin->turn_at_angle(seam, z))).first;
     const GirthCurve& curve = it->second;
@@ -66,7 +66,7 @@ double mean_stretch(const input::GarmentSpec& spec, const Limb& limb) {
   constexpr int samples = 16;
   double sum = 0.0;
   for (int i = 0; i < samples; ++i)
-    sum += std::max(1.0, limb.girth(spec.position + (i + 0.5) / samples * spec.pattern.length) / spec.pattern.flat_circumference);
+    sum += std::max(1.0, limb.girth(*spec.position + (i + 0.5) / samples * spec.pattern.length) / spec.pattern.flat_circumference);
   return std::round(1e3 * sum / samples) / 1e3;
 }
 
@@ -89,9 +89,9 @@ std::vector<int> representatives(const std::vector<int>& side, const std::vector
 }  // namespace
 
 GarmentFit tube_fit(const input::GarmentSpec& spec) {
-  return {.rows = {{spec.position, spec.pattern.flat_circumference, 1.0}},
-          .lower = spec.position,
-          .upper = spec.position + spec.pattern.length,
+  return {.rows = {{input::lowest_point(spec), spec.pattern.flat_circumference, 1.0}},
+          .lower = *spec.position,
+          .upper = *spec.position + spec.pattern.length,
           .warp_along = spec.warp == input::WarpDirection::along};
 }
 

@@ -125,6 +125,7 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
   const mesh::GarmentMesh& mesh = meshes.garments[g];
   plan.parts_in.push_back(
       fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric.name, mesh.triangles.size(), mesh.order));
+  if (!mesh.fit.placing.empty()) plan.parts_in.push_back(fmt::format("{}: placed {}", name, mesh.fit.placing));
   list_contact(model.contact_of(g), layers_text(master_names(meshes.garments, layers_under(model, meshes.garments, g))), plan);
   list_loose_cloth(name, model.garments[g].spec, fabric, mesh, plan);
   for (const input::BandSpec& band : model.garments[g].spec.band) {
