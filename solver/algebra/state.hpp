@@ -69,6 +69,7 @@ struct State {
   /// What of friction's bound there is: the bound is mu p / release, so that 1 is Coulomb's law and 0 sticks without a bound.
   double release = 1.0;
   double stiffening = 1.0;  ///< factor on the body's own energy while it is released under the garment; 1 at the end
+  double drag = 0.0;        ///< c, over the fabric's stiffness, of what slows cloth down on its way (terms/drag); 0 in every answer
   Histories history;
 };
 

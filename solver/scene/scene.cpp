@@ -9,6 +9,7 @@
 #include "solver/scene/bands.hpp"
 #include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/terms/drag.hpp"
 #include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
 
@@ -358,6 +359,7 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   add_bands(garment.spec, mesh, scene);
   const ContactModel* contact = model.contact_of(g);
   if (!contact) return;
+  scene.add(std::make_unique<Drag>(mesh.name, position, mesh, garment.fabric.stiffness()));
   const double sheet = sheet_stiffness(garment.fabric, mesh);
   const std::vector<int> under = layers_under(model, meshes.garments, g);
   MasterSurface ground(scene.layout()["body"], meshes.body, meshes.body.skin_facets);

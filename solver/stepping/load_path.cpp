@@ -144,6 +144,10 @@ Homotopy letting_go() {
   return [](State& state, double t) { state.release = t; };
 }
 
+Homotopy creeping(double drag, double decades) {
+  return [=](State& state, double t) { state.release = 1.0, state.drag = t < 1.0 ? drag * std::pow(10.0, -decades * t) : 0.0; };
+}
+
 Homotopy fading() {
   return [](State& state, double t) { state.release = std::pow(100.0, t); };
 }

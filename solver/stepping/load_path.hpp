@@ -33,6 +33,8 @@ Homotopy releasing(double factor);
 
 /// The garment that stuck where it was placed is let go: friction's bound comes down to mu p.
 Homotopy letting_go();
+/// The same at once, in cloth that creeps: its drag falls from `drag` (State::drag) by that many decades, then it is gone.
+Homotopy creeping(double drag, double decades);
 /// The coefficient of friction falls a hundredfold.
 Homotopy fading();
 /// Nothing changes but that friction is gone: the state is brought to full load.

@@ -203,6 +203,15 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     row.contact_nodes = now.measure.active, row.changed = now.measure.changed;
     row.energy = now.done ? scene.energy(state) : std::numeric_limits<double>::quiet_NaN();
     sink(row);
+    if (getenv("DBG")) {
+      const Eigen::VectorXd r = scene.full_residual(state);
+      fprintf(stderr, "  it %d res %.2e comp %.2e pen %.2e changed %d drag %.2e step %.3f | worst", iteration, now.residual, now.complementarity, now.measure.penetration, now.measure.changed, state.drag, row.step);
+      std::vector<std::pair<double,int>> w;
+      for (int i = 0; i < scene.layout().positions(); i += 3) if (scene.numbering().unknown(i) >= 0) w.push_back({r.segment<3>(i).norm(), i});
+      std::sort(w.rbegin(), w.rend());
+      for (int k = 0; k < 3 && k < (int)w.size(); ++k) fprintf(stderr, " %.1e@(%.1f %.1f %.1f)", w[k].first, 1e3*state.values[w[k].second], 1e3*state.values[w[k].second+1], 1e3*state.values[w[k].second+2]);
+      fprintf(stderr, "\n");
+    }
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
     if (settings.stop && settings.stop()) return Outcome::stopped;
@@ -221,6 +230,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
       last = state;
       before = now.residual, condensed_before = now.condensed;
       in_place = now.in_place;  // the step that moves supports is the load: its residual is no growth
+      static const double lm = getenv("LM") ? atof(getenv("LM")) : 0.0;
+      if (lm > 0.0 && damped && iteration > 0 && in_place && row.step < 0.5) boost = std::min(largest_boost, boost * lm); else
       boost = std::max(1.0, boost / 5.0);
     }
     Eigen::VectorXd step;

@@ -128,6 +128,9 @@ class Run {
     for (std::size_t n = 0;; ++n) {
       PathSettings one = settings;
       one.failures = attempts[n].failures.value_or(one.failures), one.first_step = attempts[n].first_step;
+      one.longest_step = std::min(one.longest_step, attempts[n].longest_step);
+      one.intermediate_residual = attempts[n].intermediate_residual.value_or(one.intermediate_residual);
+      if (getenv("LOST")) one.lost_iterations = atoi(getenv("LOST"));
       const PathResult path = stage.curve ? follow_curve(*stage.curve, attempts[n].rows, from, one)
                                           : follow_path(*from.scene, from.state, attempts[n].change, one, log_.sink(attempts[n].rows));
       if (path.complete || n + 1 == attempts.size()) return path;

@@ -20,6 +20,14 @@ std::function<std::vector<Attempt>(const Trail&)> once(Attempt attempt) {
   return [attempt](const Trail&) { return std::vector{attempt}; };
 }
 
+/// Friction's bound comes down at once. Where that fails, in cloth that creeps: of the ways that what hangs loose may take this one
+/// leads downhill. Where that fails, too, by and by, so that it is known what coefficient the garment needs.
+std::vector<Attempt> let_go(const Trail&) {
+  return {{.rows = "let go", .change = letting_go(), .failures = 0},
+          {.rows = "let go, creeping", .change = creeping(getenv("D0") ? atof(getenv("D0")) : 1.0, getenv("DEC") ? atof(getenv("DEC")) : 5.0), .failures = 4, .first_step = 0.05, .longest_step = getenv("LONG") ? atof(getenv("LONG")) : 0.1, .intermediate_residual = getenv("IR") ? atof(getenv("IR")) : 1e-4},
+          {.rows = "let go, by and by", .change = letting_go(), .first_step = 0.5}};
+}
+
 /// Why a garment that neither an edge nor friction holds slides off.
 std::function<std::string(const Standing&)> sliding(const Model& model, const Meshes& meshes) {
   return [&](const Standing& at) -> std::string {
@@ -125,7 +133,7 @@ Way placed_and_let_go(const Model& model, const Model& worn, const Meshes& meshe
   if (model.deformable())
     way.stages.push_back({.name = "releasing the body", .model = &worn, .skin = skin, .attempts = release(worn, every_step), .leads_on = true,
                           .residual = rubbing_residual, .fallback = Fallback::before_if_nothing});
-  way.stages.push_back({.name = "letting go", .model = &worn, .skin = skin, .attempts = once({.rows = "let go", .change = letting_go()}),
+  way.stages.push_back({.name = "letting go", .model = &worn, .skin = skin, .attempts = let_go,
                         .leads_on = vanishing, .residual = rubbing_residual,
                         .intermediate_residual = 1e-6,  // friction's part of the balance is small: looser states would not follow its bound at all
                         .tell = held_on_the_way(model, worn, meshes)});

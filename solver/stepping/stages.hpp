@@ -25,7 +25,8 @@ struct Attempt {
   std::string rows;                    ///< name of its iterations in the history
   Homotopy change;
   std::optional<int> failures = {};    ///< halvings in a row before giving up; 0 where half of it is no easier; empty: as usual
-  double first_step = 1.0;
+  double first_step = 1.0, longest_step = 1.0;
+  std::optional<double> intermediate_residual = {};  ///< empty: the stage's
 };
 
 /// A load that may have a largest value follows its curve of equilibria instead of a homotopy.

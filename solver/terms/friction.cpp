@@ -101,7 +101,7 @@ FrictionHistory::Element Friction::frame(const State& state, const Eigen::Vector
   return element;
 }
 
-std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(const State& state, const Eigen::VectorXd& held) const {
+std::shared_ptr<std::vector<FrictionHistory::Element>> Friction::frames(const State& state, const Eigen::VectorXd& held) const {
   auto frames = std::make_shared<std::vector<FrictionHistory::Element>>(contact_.triangles());
   tbb::parallel_for(0, contact_.triangles(), [&](int triangle) { (*frames)[triangle] = frame(state, held, triangle); });
   return frames;
@@ -110,7 +110,20 @@ std::shared_ptr<const std::vector<FrictionHistory::Element>> Friction::frames(co
 void Friction::update(State& state) const {
   FrictionHistory& history = edit(state);
   if (history.stiffness == 0.0) history.stiffness = slip_stiffness(state);
-  history.frames = frames(state, history.held);
+  const auto before = history.frames;
+  auto now = frames(state, history.held);
+  history.frames = now;
+  tbb::parallel_for(0, contact_.triangles(), [&](int e) {
+    const Eigen::VectorXd d = change(state, history, e);
+    for (int v = 0; v < 3; ++v) {
+      Corner& corner = (*now)[e][v];
+      if (corner.area <= 0.0 || history.stiffness == 0.0) continue;
+      const Return r = traction(history, d, e, v);
+      if (!r.slips) continue;
+      corner.last = r.traction;
+      corner.turned = before && corner.last.dot((*before)[e][v].last) < 0.0;
+    }
+  });
 }
 
 Eigen::VectorXd Friction::change(const State& state, const FrictionHistory& history, int triangle) const {
@@ -164,6 +177,8 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
       Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
       if (r.slips) {
         const Eigen::Vector3d m = r.trial.normalized();
+        static const int mode = getenv("FR") ? atoi(getenv("FR")) : 1;
+        if ((mode == 1 && corner.turned) || mode == 2) H *= corner.bound / r.trial.norm(); else
         H = corner.bound / r.trial.norm() * (H - m * m.transpose());
       }
       slot.matrix.topLeftCorner(columns, columns).noalias() +=

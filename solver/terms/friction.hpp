@@ -20,6 +20,8 @@ struct FrictionHistory : public History {
     double bound = 0.0;   ///< mu p_v / release + (1 - release) |t_v| of the last state that stuck without a bound, Pa
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Operator slip;        ///< A_v u_v = slip * (change of the triangle's entries) in the plane of `normal`, m2
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();  ///< traction of this iterate where it slips, Pa; 0 where it sticks
+    bool turned = false;  ///< it slips against the way in which the iterate before slipped
   };
   using Element = std::array<Corner, 3>;
 
@@ -92,7 +94,7 @@ class Friction : public Term {
   double vertex_pressure(const State& state, int vertex) const;
   double slip_stiffness(const State& state) const;
   FrictionHistory::Element frame(const State& state, const Eigen::VectorXd& held, int triangle) const;
-  std::shared_ptr<const std::vector<FrictionHistory::Element>> frames(const State& state, const Eigen::VectorXd& held) const;
+  std::shared_ptr<std::vector<FrictionHistory::Element>> frames(const State& state, const Eigen::VectorXd& held) const;
   Eigen::VectorXd change(const State& state, const FrictionHistory& history, int triangle) const;
   static Return traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int corner);
 
