@@ -1,6 +1,6 @@
 # The order in which the dynamic linker searches the program's libraries. deal.II and gmsh bring some two hundred along, and each of
 # 350,000 symbols that are bound before main is looked up in one after the other, in the order of the program's list. With those
-# first that most symbols are bound to (LD_DEBUG=bindings tells them) a third of the time to start is saved, of every run and rank.
+# first that most symbols are bound to (LD_DEBUG=bindings tells them) every run and rank starts sooner.
 # Nothing is loaded that is not loaded anyway: what deal.II does not bring along is left out.
 set(SNUG_MOST_BOUND libdeal.ii libgmsh libTKSTEPBase libtrilinos_teuchosparameterlist libTKIGES libTKTopAlgo libTKSTEP libstdc++ libTKXSBase
     libTKMath libTKGeomAlgo libTKernel libTKGeomBase libTKSTEPAttr libalglib libTKV3d libTKBO libTKG3d libc libTKBool libTKBRep libpetsc_real

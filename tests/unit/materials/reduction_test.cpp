@@ -11,24 +11,14 @@
 #include "materials/fabric/inputs.hpp"
 #include "materials/fabric/measured.hpp"
 #include "materials/fabric/reduction.hpp"
+#include "tests/unit/materials/measured_fabrics.hpp"
 
 namespace snug::testing {
 namespace {
 
 using materials::RawTest, materials::reduced, materials::Sample, materials::TensionCurve, materials::TestKind;
 
-constexpr double gf_per_cm = 0.980665, degree = M_PI / 180;  // N/m, rad
-
-double green(double e) { return e + 0.5 * e * e; }
-double nominal(const TensionCurve& curve, double e) { return (1 + e) * curve.at(green(e)).force; }
-std::string fault(auto&& action) {
-  try {
-    action();
-  } catch (const input::InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+constexpr double degree = M_PI / 180;  // rad
 
 class RawTable : public ::testing::Test {
  protected:
