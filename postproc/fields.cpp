@@ -20,7 +20,7 @@ constexpr std::array own_fields = {
     meaning(field::von_mises),       meaning(field::principal_stress), meaning(field::stress_top),       meaning(field::stress_bottom),
     meaning(field::location),        meaning(field::sensation),        meaning(field::layer),            meaning(field::tension_warp),
     meaning(field::tension_weft),    meaning(field::shear),            meaning(field::stretch),          meaning(field::wrinkled),
-    meaning(field::garment),         meaning(field::area_ratio)};
+    meaning(field::pattern),         meaning(field::piece),            meaning(field::garment),          meaning(field::area_ratio)};
 
 auto own(std::string_view name) {
   return std::find_if(own_fields.begin(), own_fields.end(), [&](const FieldMeaning& field) { return field.name == name; });

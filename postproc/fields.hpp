@@ -60,6 +60,8 @@ inline constexpr FieldName<double> tension_weft{"tension_weft", "N/m", "Cauchy f
 inline constexpr FieldName<double> shear{"shear", "N/m", "Cauchy shear force per current length", Place::cell};
 inline constexpr FieldName<Eigen::Vector2d> stretch{"stretch", "", "current length over that on the pattern", Place::cell};
 inline constexpr FieldName<double> wrinkled{"wrinkled", "", "0 taut, 1 wrinkled, 2 slack", Place::cell};
+inline constexpr FieldName<Eigen::Vector2d> pattern{"pattern", "m", "place on the flat pieces", Place::node, true, {"x", "y"}};
+inline constexpr FieldName<int> piece{"piece", "", "index into piece_names", Place::cell};
 inline constexpr FieldName<double> garment{"garment", "", "which of several, in the order of the case", Place::cell};
 inline constexpr FieldName<double> area_ratio{"area_ratio", "", "current area over that on the pattern", Place::cell, false};
 

@@ -147,6 +147,26 @@ void add_body_cells(Grid& grid, const BodyResult& body) {
   add_names(grid, "layer_names", body.layers);
 }
 
+/// Where the nodes lie on the flat pieces, of several garments one over the other; and which piece a triangle is of.
+void add_pieces(Grid& grid, const GarmentResult& garment) {
+  constexpr double apart = 0.1;  // m
+  std::vector<Eigen::Vector2d> flat = garment.pattern;
+  std::vector<int> piece = garment.piece;
+  Names names;
+  double top = 0.0;
+  for (const GarmentPart& part : garment.parts) {
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (int n = part.first_node; n < part.end_node; ++n) low = std::min(low, flat[n].y()), high = std::max(high, flat[n].y());
+    for (int n = part.first_node; n < part.end_node; ++n) flat[n].y() += top - low;
+    top += high - low + apart;
+    for (int t = part.first_triangle; t < part.end_triangle && !piece.empty(); ++t) piece[t] += static_cast<int>(names.size());
+    for (const std::string& name : part.pieces) names.push_back(garment.parts.size() > 1 ? part.name + ", " + name : name);
+  }
+  add_unless_empty(grid, field::pattern, flat);
+  add_unless_empty(grid, field::piece, piece);
+  add_names(grid, "piece_names", names);
+}
+
 void add_recorded(Grid& grid, const Fields& fields) {
   for (const NamedField& field : fields)
     if (field.recorded) grid.fields.add(field);
@@ -270,6 +290,7 @@ Grid grid_of(const GarmentResult& garment) {
     grid.fields.add(named(field::displacement, std::move(displacement)));
   }
   add_recorded(grid, garment.fields);
+  add_pieces(grid, garment);
   if (garment.parts.size() > 1) {
     std::vector<double> part(garment.triangles.size(), 0.0);
     for (std::size_t g = 0; g < garment.parts.size(); ++g)

@@ -26,7 +26,7 @@ struct Grid {
   std::vector<unsigned char> types;     ///< VTK's, one a cell
   std::vector<int> nodes, ends;         ///< of all cells; where a cell's end
   Fields fields;
-  std::vector<std::pair<std::string, std::vector<std::string>>> names;  ///< "location_names", "layer_names"
+  std::vector<std::pair<std::string, std::vector<std::string>>> names;  ///< "location_names", "layer_names", "piece_names"
 
   std::size_t cells() const { return types.size(); }
   std::span<const int> nodes_of(std::size_t cell) const {

@@ -58,6 +58,7 @@ struct GarmentEdge {
 struct GarmentPart {
   std::string name;
   int first_node = 0, end_node = 0, first_triangle = 0, end_triangle = 0;
+  std::vector<std::string> pieces = {};  ///< names
 };
 
 /// All garments, one behind the other.
@@ -66,6 +67,7 @@ struct GarmentResult {
   std::vector<Eigen::Vector3d> placed, current;       ///< m, one entry a pattern node
   std::vector<Eigen::Vector2d> pattern;               ///< m
   std::vector<std::array<int, 6>> triangles;
+  std::vector<int> piece;                             ///< per triangle: index into its part's pieces
   std::vector<GarmentEdge> edges;
   Fields fields;                                      ///< a value a pattern node or a triangle (fields.hpp)
 };
@@ -113,6 +115,34 @@ struct FitRow {
   double cover = 1.0;             ///< share of the way round that it goes
 
   double ease() const { return body_girth > 0.0 ? garment_girth / body_girth - 1.0 : 0.0; }
+};
+
+/// A piece of a garment, or a zone of a tube, as worn: what it is of, how large, how tight. Means are over its cloth.
+struct PieceRow {
+  std::string garment, piece, fabric;
+  double area = 0.0, worn_area = 0.0;                ///< m2, as cut and as worn
+  double weight = 0.0;                               ///< kg, by the fabric's areal density (or the usual one: loads.hpp)
+  double thickness = 0.0;                            ///< m; 0: not known
+  double tension_warp = 0.0, tension_weft = 0.0;     ///< N/m, Cauchy, mean
+  double largest_tension = 0.0;                      ///< N/m, of a triangle, along warp or weft
+  double stretch_warp = 1.0, stretch_weft = 1.0;     ///< mean
+};
+
+/// A seam as worn: the force per length that it transmits.
+struct SeamRow {
+  std::string garment, seam;
+  double length = 0.0;            ///< m
+  double line_load = 0.0;         ///< N/m, across, mean of both sides over its length
+  double largest = 0.0;           ///< N/m, across, at a point
+  double along = 0.0;             ///< N/m, shear along it, amount, mean
+};
+
+/// What a graduated tube presses with at a height that its pressures name: the mean over a ring of the skin.
+struct ProfileRow {
+  std::string garment;
+  double height = 0.0;            ///< m, over its lower edge
+  double from = 0.0, to = 0.0;    ///< m, of the ring, likewise
+  double wanted = 0.0, found = 0.0;  ///< Pa
 };
 
 /// An elastic band along an edge of a garment, as worn.
@@ -193,6 +223,9 @@ struct RunResult {
   std::vector<FitRow> fit;        ///< of the garments on a limb, from below
   std::vector<SurfaceContact> surface_contacts;
   std::vector<Band> bands;
+  std::vector<PieceRow> pieces;   ///< of the garments, in the order of their patterns
+  std::vector<SeamRow> seams;
+  std::vector<ProfileRow> profile;  ///< of graduated tubes that are made for pressures
   std::map<std::string, long> unknowns;   ///< a part: "body", "garment", "contact"
   std::vector<std::string> parts_in, parts_out;
   std::vector<DonningRow> donning;  ///< empty without friction

@@ -168,6 +168,52 @@ Json fit_json(const RunResult& run) {
   return json;
 }
 
+Json pieces_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const PieceRow& piece : run.pieces)
+    json.push_back({{"name", piece.garment + ", " + piece.piece},
+                    {"garment", piece.garment},
+                    {"piece", piece.piece},
+                    {"fabric", piece.fabric},
+                    {"area_m2", piece.area},
+                    {"worn_area_m2", piece.worn_area},
+                    {"weight_kg", piece.weight},
+                    {"thickness_m", piece.thickness > 0.0 ? Json(piece.thickness) : Json()},
+                    {"tension_warp_N_per_m", piece.tension_warp},
+                    {"tension_weft_N_per_m", piece.tension_weft},
+                    {"largest_tension_N_per_m", piece.largest_tension},
+                    {"stretch_warp", piece.stretch_warp},
+                    {"stretch_weft", piece.stretch_weft}});
+  return json;
+}
+
+Json seams_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const SeamRow& seam : run.seams)
+    json.push_back({{"name", seam.garment + ", " + seam.seam},
+                    {"garment", seam.garment},
+                    {"seam", seam.seam},
+                    {"length_m", seam.length},
+                    {"line_load_N_per_m", seam.line_load},
+                    {"largest_line_load_N_per_m", seam.largest},
+                    {"shear_N_per_m", seam.along}});
+  return json;
+}
+
+Json profile_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const ProfileRow& row : run.profile)
+    json.push_back({{"name", fmt::format("{}, {:.4g} mm", row.garment, 1e3 * row.height)},
+                    {"garment", row.garment},
+                    {"height_m", row.height},
+                    {"from_m", row.from},
+                    {"to_m", row.to},
+                    {"wanted_Pa", row.wanted},
+                    {"found_Pa", row.found},
+                    {"found_over_wanted", row.found / row.wanted}});
+  return json;
+}
+
 Json bands_json(const RunResult& run) {
   Json json = Json::array();
   for (const Band& band : run.bands)
@@ -263,6 +309,9 @@ void add_outcome(Json& json, const RunResult& run) {
   if (!run.hems.empty()) json["hems"] = hems_json(run);
   if (!run.fit.empty()) json["fit"] = fit_json(run);
   if (!run.bands.empty()) json["bands"] = bands_json(run);
+  if (!run.pieces.empty()) json["pieces"] = pieces_json(run);
+  if (!run.seams.empty()) json["seams"] = seams_json(run);
+  if (!run.profile.empty()) json["pressure_profile"] = profile_json(run);
   if (!run.surface_contacts.empty()) json["surface_contacts"] = surface_contacts_json(run);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;

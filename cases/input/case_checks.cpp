@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "cases/input/garment_checks.hpp"
 #include "cases/input/suggestion.hpp"
 #include "cases/input/units.hpp"
 
@@ -140,60 +141,6 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   check_thicknesses(body, diagnostics);
 }
 
-/// The table of a garment in the case.
-const Table* garment_table(const Table& root, std::size_t garment) {
-  const Value* garments = root.find("garment");
-  const bool list = garments && garments->array() && garment < garments->array()->size();
-  return list ? (*garments->array())[garment].table() : root.table("garment");
-}
-
-void check_tube(const GarmentSpec& garment, const Table* pattern, Diagnostics& diagnostics) {
-  const PatternSpec& tube = garment.pattern;
-  const auto missing = [&](const char* key, const char* meaning, const char* example) {
-    if (pattern && !pattern->find(key))
-      diagnostics.error(tube.where, fmt::format("the key {} is missing", key),
-                        fmt::format("add {}: {} of the tube as cut, e.g. \"{}\"; or name a sewing pattern: pattern = \"FILE\"", key, meaning, example));
-  };
-  missing("flat_circumference", "circumference", "400 mm");
-  missing("length", "length", "200 mm");
-  if (!garment.bottom.empty())
-    diagnostics.error(garment.where, "bottom is for sewing patterns; a tube has its lower edge", "leave it out");
-}
-
-void check_sewn(const GarmentSpec& garment, Diagnostics& diagnostics) {
-  const PatternSpec& sewn = garment.pattern;
-  if (sewn.file.empty() && diagnostics.errors().empty()) diagnostics.error(sewn.where, "a sewn pattern names no file", "add file = \"patterns/vest.toml\"");
-  if (garment.warp != WarpDirection::along)
-    diagnostics.error(garment.where, "warp is of a tube, and the pieces of a pattern have their grain", "leave it out; give the pieces another grain");
-  for (const auto& [size, key] : {std::pair{sewn.flat_circumference, "flat_circumference"}, std::pair{sewn.length, "length"}})
-    if (size != 0.0) diagnostics.error(sewn.where, fmt::format("{} is of a tube, and there is a file", key), "leave it out; girth_scale and length_scale change the pattern");
-}
-
-void check_held(const GarmentSpec& garment, Diagnostics& diagnostics) {
-  std::set<std::string> seen;
-  for (const HeldEdge& held : garment.held)
-    if (!garment.pattern.sewn() && held.edge != "upper" && held.edge != "lower" && !held.edge.empty())
-      diagnostics.error(held.where, fmt::format("\"{}\" is no edge", held.edge), did_you_mean(held.edge, {"upper", "lower"}));
-  for (const HeldEdge& held : garment.held)
-    if (!seen.insert(held.edge).second && !held.edge.empty())
-      diagnostics.error(held.where, fmt::format("the {} edge is held twice", held.edge), "name each edge once");
-}
-
-void check_bands(const GarmentSpec& garment, Diagnostics& diagnostics) {
-  std::set<std::string> seen;
-  for (const BandSpec& band : garment.band) {
-    if (!seen.insert(band.edge).second && !band.edge.empty())
-      diagnostics.error(band.where, fmt::format("the {} edge has two bands", band.edge), "name each edge once");
-    if (band.rest_length.empty()) continue;
-    const auto length = rest_length(band, 1.0);
-    if (!length)
-      diagnostics.error(band.where, fmt::format("rest_length \"{}\" is neither a percentage nor a length", band.rest_length),
-                        "write how much shorter than the edge as cut it is, \"-8 %\", or how long, \"310 mm\"");
-    else if (!(*length > 0.0))
-      diagnostics.error(band.where, fmt::format("rest_length \"{}\" leaves nothing of the band", band.rest_length), "write more than -100 %");
-  }
-}
-
 /// A surface of the body; that it is there is known when the mesh is.
 bool between_solids(const ContactSpec& contact, const Case& c) {
   return !contact.slave.empty() && std::none_of(c.garments.begin(), c.garments.end(),
@@ -225,24 +172,6 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
   const Table* imported = root.table("body");  // a file of another program may bring its loads; without, that is said later
   if (body && !garment && !load && !support && !(imported && imported->find("mesh")))
     error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
-}
-
-void check_garments(const Case& c, const Table& root, Diagnostics& diagnostics) {
-  std::set<std::string> names;
-  for (std::size_t g = 0; g < c.garments.size(); ++g) {
-    const GarmentSpec& garment = c.garments[g];
-    const Table* table = garment_table(root, g);
-    garment.pattern.sewn() ? check_sewn(garment, diagnostics) : check_tube(garment, table ? table->table("pattern") : nullptr, diagnostics);
-    if (!garment.pattern.sewn() && table && !table->find("fabric"))
-      diagnostics.error(garment.where, "the key fabric is missing", "add fabric: an entry of snug materials list or a table of values");
-    check_held(garment, diagnostics);
-    check_bands(garment, diagnostics);
-    if (!names.insert(garment.name).second)
-      diagnostics.error(garment.where, fmt::format("a second garment is called \"{}\"", garment.name),
-                        "give each garment a name of its own: name = \"band\"");
-    if (garment.name == "body" || garment.name.empty())
-      diagnostics.error(garment.where, fmt::format("a garment is called \"{}\"", garment.name), "give it another name");
-  }
 }
 
 /// A garment lies on the skin or on one that is listed before it, whose triangles are quadratic.
@@ -340,12 +269,6 @@ void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
 }
 
 }  // namespace
-
-std::optional<double> rest_length(const BandSpec& band, double pattern_length) {
-  if (const Quantity length = to_si(band.rest_length, "m"); length.ok()) return length.value;
-  if (const Quantity percent = to_si(band.rest_length, "%"); percent.ok()) return pattern_length * (1.0 + 0.01 * percent.value);
-  return {};
-}
 
 void complete(Case& description, const Table& root) {
   const auto names_file = [](const Table* garment) {  // even one that is not there

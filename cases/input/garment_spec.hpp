@@ -12,8 +12,8 @@
 
 namespace snug::input {
 
-enum class PatternKind { tube, sewn };
-constexpr auto texts_of(PatternKind) { return std::array{"tube", "sewn"}; }
+enum class PatternKind { tube, sewn, graduated };
+constexpr auto texts_of(PatternKind) { return std::array{"tube", "sewn", "graduated"}; }
 
 /// Direction against the body's axis.
 enum class WarpDirection { along, around };
@@ -23,10 +23,38 @@ constexpr auto texts_of(WarpDirection) { return std::array{"along", "around"}; }
 enum class HeldDirection { axis, all };
 constexpr auto texts_of(HeldDirection) { return std::array{"axis", "all"}; }
 
+/// Circumference of a graduated tube at a height of it.
+struct GirthRow {
+  double height = 0.0;  ///< m, over its lower edge
+  double girth = 0.0;   ///< m, without tension
+  Location where = {};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "height", .unit = "m", .meaning = "over the lower edge, as knitted", .required = true, .bound = non_negative()}, self.height);
+    field(Field{.key = "girth", .unit = "m", .meaning = "circumference there, without tension", .required = true, .bound = positive()}, self.girth);
+  }
+};
+
+/// Pressure that a graduated tube is made for.
+struct PressureRow {
+  double height = 0.0;    ///< m, over its lower edge
+  double pressure = 0.0;  ///< Pa, mean round the limb
+  Location where = {};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "height", .unit = "m", .meaning = "over the lower edge, as knitted", .required = true, .bound = non_negative()}, self.height);
+    field(Field{.key = "pressure", .unit = "Pa", .meaning = "on the skin there, mean round the limb", .required = true, .bound = positive()}, self.pressure);
+  }
+};
+
 struct PatternSpec {
   PatternKind kind = PatternKind::tube;
   double flat_circumference = 0.0;   ///< m, of a tube
   double length = 0.0;               ///< m, of a tube
+  std::vector<GirthRow> circumferences;  ///< of a graduated tube, from below
+  std::vector<PressureRow> pressures;    ///< that a graduated tube is made for, from below
   std::filesystem::path file;        ///< of a sewn pattern
   std::vector<std::string> pieces;   ///< of the file that are worn; none: all
   double from_height = 0.0;              ///< m over the lowest point of each piece: what lies between is worn
@@ -35,14 +63,24 @@ struct PatternSpec {
   Location where = {};
 
   bool sewn() const { return kind == PatternKind::sewn; }
+  bool graduated() const { return kind == PatternKind::graduated; }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length; sewn: the pieces and seams of a file (taken where file is given)"},
+    field(Field{.key = "kind", .meaning = "tube: a rectangle sewn along its length; graduated: knitted round, each course with a length of its own; sewn: the "
+                                       "pieces and seams of a file (taken where file is given)"},
           self.kind);
     field(Field{.key = "flat_circumference", .unit = "m", .meaning = "circumference of the tube as cut, without tension", .bound = non_negative()},
           self.flat_circumference);
     field(Field{.key = "length", .unit = "m", .meaning = "length of the tube as cut", .bound = non_negative()}, self.length);
+    field(Field{.key = "circumferences",
+                .meaning = "of a graduated tube: its circumferences from the lower edge up, [{ height = \"0 mm\", girth = \"180 mm\" }, …]; smooth between "
+                           "them, beyond them as at the ends"},
+          self.circumferences);
+    field(Field{.key = "pressures",
+                .meaning = "of a graduated tube: the pressures that it is made for, [{ height = \"0 mm\", pressure = \"20 mmHg\" }, …], straight between "
+                           "them; without circumferences these come from the law of Laplace, and snug design finds better ones"},
+          self.pressures);
     field(Field{.key = "file",
                 .meaning = "sewing pattern: .toml (docs/patterns.md), .json (GarmentCode), .dxf or .svg; pattern = \"FILE\" is the same"},
           self.file);
@@ -91,6 +129,24 @@ struct BandSpec {
   }
 };
 
+/// A part of a garment that is of another fabric.
+struct ZoneSpec {
+  std::vector<std::string> pieces;  ///< of a sewn pattern
+  double from_height = 0.0;         ///< m, over the lower edge of a tube
+  std::optional<double> to_height;  ///< m; none: to its upper edge
+  MaterialEntry fabric;
+  Location where = {};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "pieces", .meaning = "pieces of a sewing pattern that are of this fabric, instead of the one that the pattern has for them"}, self.pieces);
+    field(Field{.key = "from_height", .unit = "m", .meaning = "of a tube: the zone begins at this height over its lower edge, as knitted", .bound = non_negative()},
+          self.from_height);
+    field(Field{.key = "to_height", .unit = "m", .meaning = "and ends at this one; left out: at the upper edge", .bound = positive()}, self.to_height);
+    field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values", .required = true}, self.fabric);
+  }
+};
+
 /// Rest length (m) of a band along an edge that is `pattern_length` (m) as cut; empty where the text is neither a percentage nor
 /// a length.
 std::optional<double> rest_length(const BandSpec& band, double pattern_length);
@@ -109,6 +165,7 @@ struct GarmentSpec {
   std::optional<bool> bending, weight;
   std::vector<HeldEdge> held;
   std::vector<BandSpec> band;
+  std::vector<ZoneSpec> zone;  ///< once the pattern is read, those that it names, too
   Location where;
 
   template <class Self, class Visitor>
@@ -147,6 +204,8 @@ struct GarmentSpec {
           self.weight);
     field(Field{.key = "held", .meaning = "edges that the wearer or the rest of a garment holds"}, self.held);
     field(Field{.key = "band", .meaning = "elastic bands along edges", .one_or_more = true}, self.band);
+    field(Field{.key = "zone", .meaning = "parts of the garment that are of another fabric: pieces of a pattern, or heights of a tube", .one_or_more = true},
+          self.zone);
   }
 };
 

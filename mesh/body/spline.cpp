@@ -8,10 +8,13 @@
 namespace snug::mesh {
 
 struct Spline::Gsl {
-  explicit Gsl(const std::vector<double>& z, const std::vector<double>& values)
+  Gsl(const std::vector<double>& z, const std::vector<double>& values, Kind kind)
       : low(z.front()),
         high(z.back()),
-        spline(gsl_spline_alloc(z.size() < 3 ? gsl_interp_linear : gsl_interp_cspline, z.size())) {
+        spline(gsl_spline_alloc(z.size() < 3             ? gsl_interp_linear
+                                : kind == Kind::monotone ? gsl_interp_steffen
+                                                         : gsl_interp_cspline,
+                                z.size())) {
     gsl_spline_init(spline, z.data(), values.data(), z.size());
   }
   ~Gsl() { gsl_spline_free(spline); }
@@ -22,9 +25,9 @@ struct Spline::Gsl {
   gsl_spline* spline;
 };
 
-Spline::Spline(const std::vector<double>& z, const std::vector<double>& values) {
+Spline::Spline(const std::vector<double>& z, const std::vector<double>& values, Kind kind) {
   assert(z.size() >= 2 && z.size() == values.size());
-  gsl_ = std::make_unique<Gsl>(z, values);
+  gsl_ = std::make_unique<Gsl>(z, values, kind);
 }
 Spline::Spline(Spline&&) noexcept = default;
 Spline& Spline::operator=(Spline&&) noexcept = default;

@@ -1,4 +1,4 @@
-// A natural cubic spline: the interpolation of stations along a limb.
+// Cubics through points: the interpolation of stations along a limb, and of widths along a tube.
 #pragma once
 
 #include <array>
@@ -7,12 +7,15 @@
 
 namespace snug::mesh {
 
-/// Twice continuously differentiable interpolation of (z, value); a straight line through two points. Beyond the ends
-/// it goes on straight, which keeps it twice differentiable because a natural spline ends without curvature.
+/// Interpolation of (z, value) by cubics; a straight line through two points. Beyond the ends it goes on straight.
 class Spline {
  public:
+  enum class Kind {
+    natural,   ///< twice differentiable, beyond its ends, too, because it ends without curvature
+    monotone,  ///< once differentiable, with no extremes between points (Steffen, Astron. Astrophys. 239 (1990) 443-450)
+  };
   /// `z` strictly increasing, at least two points, as many values; checked by the caller.
-  Spline(const std::vector<double>& z, const std::vector<double>& values);
+  Spline(const std::vector<double>& z, const std::vector<double>& values, Kind kind = Kind::natural);
   Spline(Spline&&) noexcept;
   Spline& operator=(Spline&&) noexcept;
   ~Spline();

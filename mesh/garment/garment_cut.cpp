@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/garment/garment_zones.hpp"
 #include "mesh/garment/limb_placement.hpp"
 #include "mesh/garment/tube_chart.hpp"
+#include "mesh/garment/tube_girth.hpp"
 #include "mesh/pattern/read_pattern.hpp"
 #include "mesh/pattern/sewn_mesh.hpp"
 #include "mesh/pattern/trimming.hpp"
@@ -51,20 +53,6 @@ void name_edges(const GarmentCut& cut, const SewnMesh& sewn, GarmentMesh& mesh) 
   for (const input::BandSpec& band : cut.spec.band) name(band.edge, band.where);
 }
 
-/// What the pattern says of its fabric, where the case says nothing. Throws where its pieces are of several.
-void take_fabric(GarmentCut& cut) {
-  const Pattern& pattern = cut.pattern->pattern;
-  std::optional<input::MaterialEntry> fabric = pattern.fabric;
-  for (const Piece& piece : pattern.pieces) {
-    if (!piece.fabric) continue;
-    if (&piece != &pattern.pieces.front() && (!fabric || fabric->name != piece.fabric->name || fabric->is_inline() || piece.fabric->is_inline()))
-      throw InputError(piece.fabric->where, fmt::format("the piece {} has a fabric of its own", piece.name),
-                       "garments of several fabrics are not available yet: leave it out, or make it a garment of its own");
-    fabric = piece.fabric;
-  }
-  if (cut.spec.fabric.name.empty() && !cut.spec.fabric.is_inline() && fabric) cut.spec.fabric = *fabric;
-}
-
 }  // namespace
 
 GarmentCut read_cut(const input::GarmentSpec& spec) {
@@ -78,16 +66,15 @@ GarmentCut read_cut(const input::GarmentSpec& spec) {
   if (spec.pattern.girth_scale != 1.0 || spec.pattern.length_scale != 1.0)
     pattern = graded(pattern, spec.pattern.girth_scale, spec.pattern.length_scale);
   cut.pattern = checked(std::move(pattern));
-  take_fabric(cut);
-  if (cut.spec.fabric.name.empty() && !cut.spec.fabric.is_inline())
-    throw InputError(spec.where, "the key fabric is missing, and the pattern has none",
-                     "add fabric: an entry of snug materials list or a table of values");
+  for (input::Diagnostic& warning : settle_fabrics(cut)) cut.pattern->warnings.push_back(std::move(warning));
   return cut;
 }
 
 CutSize size_of(const GarmentCut& cut) {
-  const auto& tube = cut.spec.pattern;
-  if (!cut.pattern) return {tube.flat_circumference * tube.length, 2.0 * (tube.flat_circumference + tube.length)};
+  if (!cut.pattern) {
+    const double length = cut.spec.pattern.length, girth = TubeGirth(cut.spec.pattern).mean();
+    return {girth * length, 2.0 * (girth + length)};
+  }
   CutSize size;
   for (const Piece& piece : cut.pattern->pattern.pieces) size.area += area(piece);
   for (const Stretch& stretch : cut.pattern->sewing.stretches) size.border += stretch.length;
@@ -112,6 +99,8 @@ GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double wo
   LimbPlacement placement = place_on_limb(sewn, cut.spec, limb, lift);
   GarmentMesh mesh = garment_mesh(sewn, placement.placed, cut.spec.name);
   mesh.fit = std::move(placement.fit), mesh.stand_off = placement.stand_off, mesh.order = cut.spec.order;
+  if (!cut.spec.zone.empty())
+    for (const int piece : sewn.triangle_piece) mesh.triangle_zone.push_back(zone_of_piece(cut.spec, sewn.pieces[piece]));
   name_edges(cut, sewn, mesh);
   return mesh;
 }

@@ -15,7 +15,8 @@ struct GarmentCut {
   std::optional<CheckedPattern> pattern;  ///< none of a tube
 };
 
-/// Reads and checks the pattern that a garment names, in the size and with the pieces that it wants. Throws input::InputError.
+/// Reads and checks the pattern that a garment names, in the size and with the pieces that it wants; settles which piece is of which fabric
+/// (garment_zones.hpp). Throws input::InputError.
 GarmentCut read_cut(const input::GarmentSpec& spec);
 
 struct CutSize {

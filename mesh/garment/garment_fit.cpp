@@ -7,11 +7,14 @@ namespace snug::mesh {
 FitRow GarmentFit::at(double height) const {
   if (rows.empty()) return {};
   const auto above = std::find_if(rows.begin(), rows.end(), [&](const FitRow& row) { return row.height > height; });
-  if (above == rows.begin()) return {height, rows.front().girth, rows.front().cover};
-  if (above == rows.end()) return {height, rows.back().girth, rows.back().cover};
+  const auto as_there = [&](FitRow row) { return row.height = height, row; };
+  if (above == rows.begin()) return as_there(rows.front());
+  if (above == rows.end()) return as_there(rows.back());
   const FitRow &a = *(above - 1), &b = *above;
   const double t = (height - a.height) / (b.height - a.height);
-  return {height, a.girth + t * (b.girth - a.girth), a.cover + t * (b.cover - a.cover)};
+  FitRow row{height, a.girth + t * (b.girth - a.girth), a.cover + t * (b.cover - a.cover), a.zones};
+  for (std::size_t z = 0; z < row.zones.size(); ++z) row.zones[z] += t * (b.zones[z] - a.zones[z]);
+  return row;
 }
 
 MeanFit mean_fit(const GarmentFit& fit, const Limb& limb) {

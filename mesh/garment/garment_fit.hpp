@@ -11,6 +11,7 @@ struct FitRow {
   double height = 0.0;  ///< m
   double girth = 0.0;   ///< m, of the garment as cut; where it does not go all the way round, what it would be if it did
   double cover = 1.0;   ///< share of the way round that it goes
+  std::vector<double> zones = {};  ///< shares of its girth that are in each of the garment's zones; the rest is of its own fabric
 };
 
 /// A garment as it was placed, by height. One row stands for a garment that is as wide everywhere.

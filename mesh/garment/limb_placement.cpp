@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/garment/garment_zones.hpp"
 #include "mesh/garment/limb_sheet.hpp"
 #include "mesh/garment/sliding.hpp"
 #include "mesh/garment/tube_chart.hpp"
@@ -59,7 +60,7 @@ Facing facing(const SewnMesh& sewn, const TubeChart& chart, const std::optional<
 /// goes all the way round.
 void widen_from_whole(const Limb& limb, double lower, double upper, std::vector<FitRow>& rows) {
   if (rows.empty()) return;
-  rows.insert(rows.begin(), {lower, rows.front().girth, 0.0}), rows.push_back({upper, rows.back().girth, 0.0});
+  rows.insert(rows.begin(), {lower, rows.front().girth, 0.0, rows.front().zones}), rows.push_back({upper, rows.back().girth, 0.0, rows.back().zones});
   constexpr double all_round = 0.999;
   const auto whole = [](const FitRow& row) { return row.cover > all_round; };
   const auto first = std::find_if(rows.begin(), rows.end(), whole);
@@ -71,13 +72,24 @@ void widen_from_whole(const Limb& limb, double lower, double upper, std::vector<
   rows.front().cover = rows[1].cover, rows.back().cover = rows[rows.size() - 2].cover;
 }
 
+/// The zone that a piece is in; -1: none.
+std::vector<int> zones_of_pieces(const SewnMesh& sewn, const input::GarmentSpec& spec) {
+  std::vector<int> zones;
+  for (const std::string& piece : sewn.pieces) zones.push_back(zone_of_piece(spec, piece));
+  return zones;
+}
+
 /// Widths by height: lengths on the flat pieces of the lines on which the vertices' heights are equal.
-std::vector<FitRow> rows_of(const SewnMesh& sewn, const Limb& limb, const std::vector<ChartPlace>& places, double lower, double upper) {
+std::vector<FitRow> rows_of(const SewnMesh& sewn, const input::GarmentSpec& spec, const Limb& limb, const std::vector<ChartPlace>& places, double lower,
+                            double upper) {
   constexpr int count = 48;
+  const std::vector<int> zones = zones_of_pieces(sewn, spec);
   std::vector<FitRow> rows(count);
   std::vector<double> round(count, 0.0);
-  for (int r = 0; r < count; ++r) rows[r] = {lower + (upper - lower) * (r + 0.5) / count, 0.0, 0.0};
-  for (const auto& t : sewn.triangles) {
+  for (int r = 0; r < count; ++r) rows[r] = {lower + (upper - lower) * (r + 0.5) / count, 0.0, 0.0, std::vector<double>(spec.zone.size(), 0.0)};
+  for (std::size_t triangle = 0; triangle < sewn.triangles.size(); ++triangle) {
+    const auto& t = sewn.triangles[triangle];
+    const int zone = zones[sewn.triangle_piece[triangle]];
     const std::array<const ChartPlace*, 3> p = {&places[sewn.merged[t[0]]], &places[sewn.merged[t[1]]], &places[sewn.merged[t[2]]]};
     for (int r = 0; r < count; ++r) {
       std::vector<std::pair<Eigen::Vector2d, double>> ends;
@@ -90,13 +102,18 @@ std::vector<FitRow> rows_of(const SewnMesh& sewn, const Limb& limb, const std::v
         ends.emplace_back((1.0 - s) * sewn.flat[t[e]] + s * sewn.flat[t[f]], (1.0 - s) * from + s * to);
       }
       if (ends.size() != 2) continue;
-      rows[r].girth += (ends[1].first - ends[0].first).norm();
+      const double width = (ends[1].first - ends[0].first).norm();
+      rows[r].girth += width;
+      if (zone >= 0) rows[r].zones[zone] += width;
       round[r] += std::abs(ends[1].second - ends[0].second);
     }
   }
   std::vector<FitRow> there;
-  for (int r = 0; r < count; ++r)
-    if (round[r] > 0.0) there.push_back({rows[r].height, rows[r].girth / round[r], std::min(1.0, round[r])});
+  for (int r = 0; r < count; ++r) {
+    if (!(round[r] > 0.0)) continue;
+    for (double& share : rows[r].zones) share /= rows[r].girth;
+    there.push_back({rows[r].height, rows[r].girth / round[r], std::min(1.0, round[r]), rows[r].zones});
+  }
   widen_from_whole(limb, lower, upper, there);
   return there;
 }
@@ -187,7 +204,7 @@ class Placement {
     result.lower = lowest(), result.upper = limb_.lower;
     for (std::size_t n = 0; n < places_.size(); ++n)
       if (is_vertex(n)) result.upper = std::max(result.upper, places_[n].height);
-    result.rows = rows_of(sewn_, limb_, places_, result.lower, result.upper);
+    result.rows = rows_of(sewn_, spec_, limb_, places_, result.lower, result.upper);
     result.warp_along = warp_runs_up(sewn_, places_);
     return result;
   }

@@ -15,8 +15,8 @@ namespace {
 constexpr int gmsh_triangle6 = 9;
 
 struct RectangleTags {
-  std::map<std::string, int> sides;
-  int surface = 0;
+  std::map<std::string, std::vector<int>> sides;  // lines, one behind the other
+  std::vector<int> surfaces;
 };
 
 /// Divisions of a side, at least `least`.
@@ -26,22 +26,31 @@ int divisions(double length, double cell_size, int least) {
 
 double rounded(double length) { return std::round(1e9 * length) / 1e9; }  // to a nanometre
 
-RectangleTags add_rectangle(double width, double length, double cell_size) {
+// Strips between heights, from below. Lines of left and right all run upwards, so that gmsh divides them at the same heights; left
+// comes first, so that its nodes have the smaller numbers and stand for a merged pair.
+RectangleTags add_rectangle(double width, const std::vector<double>& heights, double cell_size) {
   namespace geo = gmsh::model::geo;
-  // Left and right both run upwards, so that gmsh divides them at the same heights; left comes first, so that its nodes
-  // have the smaller numbers and stand for a merged pair.
-  const int a = geo::addPoint(0, 0, 0, cell_size), d = geo::addPoint(0, length, 0, cell_size);
-  const int b = geo::addPoint(width, 0, 0, cell_size), c = geo::addPoint(width, length, 0, cell_size);
-  const std::map<std::string, int> side{{"left", geo::addLine(a, d)},
-                                        {"right", geo::addLine(b, c)},
-                                        {"lower", geo::addLine(a, b)},
-                                        {"upper", geo::addLine(d, c)}};
-  for (const auto& [name, line] : side) {
-    const bool seam = name == "left" || name == "right";
-    geo::mesh::setTransfiniteCurve(line, 1 + (seam ? divisions(length, cell_size, 1) : divisions(width, cell_size, 6)));
+  const auto point = [&](double x, double y) { return geo::addPoint(x, y, 0, cell_size); };
+  std::vector<int> left, right;
+  for (const double y : heights) left.push_back(point(0, y));
+  for (const double y : heights) right.push_back(point(width, y));
+  RectangleTags tags;
+  const auto line = [&](int from, int to, double length, int least) {
+    const int tag = geo::addLine(from, to);
+    geo::mesh::setTransfiniteCurve(tag, 1 + divisions(length, cell_size, least));
+    return tag;
+  };
+  const std::size_t strips = heights.size() - 1;
+  for (const auto& [name, points] : {std::pair<const char*, const std::vector<int>&>{"left", left}, {"right", right}})
+    for (std::size_t s = 0; s < strips; ++s) tags.sides[name].push_back(line(points[s], points[s + 1], heights[s + 1] - heights[s], 1));
+  std::vector<int> across(heights.size());
+  across.front() = line(left.front(), right.front(), width, 6), across.back() = line(left.back(), right.back(), width, 6);
+  for (std::size_t s = 1; s < strips; ++s) across[s] = line(left[s], right[s], width, 6);
+  tags.sides["lower"] = {across.front()}, tags.sides["upper"] = {across.back()};
+  for (std::size_t s = 0; s < strips; ++s) {
+    const int loop = geo::addCurveLoop({across[s], tags.sides["right"][s], -across[s + 1], -tags.sides["left"][s]});
+    tags.surfaces.push_back(geo::addPlaneSurface({loop}));
   }
-  const int loop = geo::addCurveLoop({side.at("lower"), side.at("right"), -side.at("upper"), -side.at("left")});
-  RectangleTags tags{side, geo::addPlaneSurface({loop})};
   geo::synchronize();
   return tags;
 }
@@ -71,31 +80,37 @@ void read_triangles(int surface, const std::unordered_map<std::size_t, int>& num
 }
 
 void read_sides(const RectangleTags& tags, const std::unordered_map<std::size_t, int>& number, PatternMesh& pattern) {
-  for (const auto& [name, line] : tags.sides) {
-    std::vector<std::size_t> nodes;
-    std::vector<double> x, parameters;
-    gmsh::model::mesh::getNodes(nodes, x, parameters, 1, line, true);
+  for (const auto& [name, lines] : tags.sides) {
     std::vector<int>& side = pattern.sides[name];
-    for (std::size_t node : nodes) side.push_back(number.at(node));
+    for (const int line : lines) {
+      std::vector<std::size_t> nodes;
+      std::vector<double> x, parameters;
+      gmsh::model::mesh::getNodes(nodes, x, parameters, 1, line, true);
+      for (std::size_t node : nodes) side.push_back(number.at(node));
+    }
     const int axis = name == "left" || name == "right" ? 1 : 0;
     std::sort(side.begin(), side.end(), [&](int a, int b) { return pattern.nodes[a][axis] < pattern.nodes[b][axis]; });
+    side.erase(std::unique(side.begin(), side.end()), side.end());  // lines share their ends
   }
 }
 
 }  // namespace
 
-PatternMesh mesh_rectangle(double width, double length, double cell_size) {
+PatternMesh mesh_rectangle(double width, double length, double cell_size, const std::vector<double>& borders) {
   const GmshSession session;
   gmsh::option::setNumber("Mesh.Algorithm", 5);  // Delaunay
   gmsh::model::add("pattern");
   // Rounded, so that the same garment in other units has the same mesh and not one that round-off turned.
   const double across = rounded(width), along = rounded(length);
-  const RectangleTags tags = add_rectangle(across, along, rounded(cell_size));
+  std::vector<double> heights{0.0};
+  for (const double border : borders) heights.push_back(rounded(border));
+  heights.push_back(along);
+  const RectangleTags tags = add_rectangle(across, heights, rounded(cell_size));
   gmsh::model::mesh::generate(2);
   gmsh::model::mesh::setOrder(2);
   PatternMesh pattern;
   const auto number = read_nodes(pattern);
-  read_triangles(tags.surface, number, pattern);
+  for (const int surface : tags.surfaces) read_triangles(surface, number, pattern);
   read_sides(tags, number, pattern);
   for (Eigen::Vector2d& x : pattern.nodes) x = {x.x() / across * width, x.y() / along * length};
   return pattern;

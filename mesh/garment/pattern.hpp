@@ -18,8 +18,9 @@ struct PatternMesh {
 };
 
 /// The rectangle [0, width] x [0, length] in irregular triangles of about `cell_size` (Delaunay, not a regular grid).
-/// Sides "lower" and "upper" run along x; "left" and "right" along y with equal divisions, so that their nodes pair.
-PatternMesh mesh_rectangle(double width, double length, double cell_size);
+/// Sides "lower" and "upper" run along x; "left" and "right" along y with equal divisions, so that their nodes pair. `borders`: heights
+/// in (0, length), ascending, at which sides of triangles run across.
+PatternMesh mesh_rectangle(double width, double length, double cell_size, const std::vector<double>& borders = {});
 
 /// Mean length of the triangles' edges, m.
 double mean_edge_length(const PatternMesh& pattern);

@@ -288,6 +288,9 @@ GarmentMesh garment_mesh(const SewnMesh& sewn, const std::vector<Eigen::Vector3d
   mesh.warp = sewn.warp;
   mesh.edges = sewn.open;
   mesh.mean_edge = sewn.mean_edge;
+  mesh.pieces = sewn.pieces;
+  mesh.triangle_piece = sewn.triangle_piece;
+  mesh.seams = sewn.seams;
   return mesh;
 }
 

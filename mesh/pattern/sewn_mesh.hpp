@@ -13,12 +13,6 @@
 
 namespace snug::mesh {
 
-struct SewnSeam {
-  std::string name;
-  std::vector<std::array<int, 2>>
-      pairs;  ///< nodes of side a and b that become one, in order along a, mid-edge nodes too
-};
-
 /// What placement and the solver need of a pattern, before it stands anywhere in space. Nodes on the two sides of a
 /// seam are two in the flat pieces and one in `merged`; a triangle has the flat coordinates of its own piece.
 struct SewnMesh {

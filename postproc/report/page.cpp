@@ -19,6 +19,7 @@ std::string page_of(const ShownRun& run, const Pictures& pictures) {
   view["comfort"] = comfort_view(run);
   view["map"] = map_view(run, scale, drawing_width);
   if (view["map"].is_object()) view["map"]["id"] = "map-0";
+  view["pieces"] = pieces_view(run, drawing_width);
   view["convergence"] = convergence_view(run, drawing_width);
   view["has_scene"] = run.skin || run.garment;
   view["scene"] = view["has_scene"] ? scene_json(run, scale) : "";

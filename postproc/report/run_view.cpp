@@ -130,6 +130,43 @@ Json fit_view(const Json& summary) {
   return rows;
 }
 
+Json piece_rows_view(const Json& summary) {
+  Json rows = Json::array();
+  for (const Json& piece : summary.value("pieces", Json::array()))
+    rows.push_back({{"name", piece.value("name", "")},
+                    {"fabric", piece.value("fabric", "")},
+                    {"area", number(1e4 * value_at(piece, "area_m2"))},
+                    {"weight", number(1e3 * value_at(piece, "weight_kg"))},
+                    {"warp", number(value_at(piece, "tension_warp_N_per_m"))},
+                    {"weft", number(value_at(piece, "tension_weft_N_per_m"))},
+                    {"largest", number(value_at(piece, "largest_tension_N_per_m"))},
+                    {"stretch_warp", fmt::format("{:.3f}", value_at(piece, "stretch_warp"))},
+                    {"stretch_weft", fmt::format("{:.3f}", value_at(piece, "stretch_weft"))}});
+  return rows;
+}
+
+Json seam_rows_view(const Json& summary) {
+  Json rows = Json::array();
+  for (const Json& seam : summary.value("seams", Json::array()))
+    rows.push_back({{"name", seam.value("name", "")},
+                    {"length", number(1e3 * value_at(seam, "length_m"))},
+                    {"line_load", number(value_at(seam, "line_load_N_per_m"))},
+                    {"largest", number(value_at(seam, "largest_line_load_N_per_m"))},
+                    {"shear", number(value_at(seam, "shear_N_per_m"))}});
+  return rows;
+}
+
+Json profile_view(const Json& summary) {
+  Json rows = Json::array();
+  for (const Json& row : summary.value("pressure_profile", Json::array()))
+    rows.push_back({{"name", row.value("name", "")},
+                    {"wanted", number(value_at(row, "wanted_Pa"))},
+                    {"found", number(value_at(row, "found_Pa"))},
+                    {"mmHg", number(to_mmHg(value_at(row, "found_Pa")))},
+                    {"share", fmt::format("{:.1f}", 100.0 * value_at(row, "found_over_wanted"))}});
+  return rows;
+}
+
 Json texts_view(const Json& texts) {
   Json rows = Json::array();
   for (const Json& text : texts) rows.push_back({{"text", text.get<std::string>()}});
@@ -271,6 +308,9 @@ Json run_view(const ShownRun& run) {
   view["state"] = summary.value("state", Json::object()).value("text", "");
   put_list(view, "hems", hems_view(summary));
   put_list(view, "fit", fit_view(summary));
+  put_list(view, "piece_rows", piece_rows_view(summary));
+  put_list(view, "seam_rows", seam_rows_view(summary));
+  put_list(view, "profile", profile_view(summary));
   put_list(view, "donning", donning_view(summary));
   put_list(view, "warnings", warnings_view(summary));
   put_list(view, "remedies", texts_view(summary.value("what_to_try", Json::array())));

@@ -18,6 +18,9 @@ Json comfort_view(const ShownRun& run);
 /// The unrolled pressure map with its colour bar, `width` pixels wide; null without a skin.
 Json map_view(const ShownRun& run, const PressureScale& scale, double width);
 
+/// The flat pieces of the garments, once a quantity, at most `width` pixels wide; null without any.
+Json pieces_view(const ShownRun& run, double width);
+
 /// Residuals over the iterations; null without a history.
 Json convergence_view(const ShownRun& run, double width);
 

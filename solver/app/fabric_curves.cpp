@@ -39,8 +39,11 @@ double nominal(const TensionCurve& curve, double strain) { return (1.0 + strain)
 
 std::vector<FabricData> of_case(const fs::path& directory) {
   std::vector<FabricData> fabrics;
-  for (const input::GarmentSpec& garment : input::read_case(directory).garments)
-    fabrics.push_back(materials::fabric_data(materials::resolved(garment.fabric, Kind::fabric, library_file())));
+  for (const input::GarmentSpec& garment : input::read_case(directory).garments) {
+    const auto add = [&](const input::MaterialEntry& fabric) { fabrics.push_back(materials::fabric_data(materials::resolved(fabric, Kind::fabric, library_file()))); };
+    add(garment.fabric);
+    for (const input::ZoneSpec& zone : garment.zone) add(zone.fabric);
+  }
   if (fabrics.empty())
     throw input::InputError({(directory / "case.toml").string(), 0, 0}, "the case has no garment",
                             "name a fabric, or a case with a garment");

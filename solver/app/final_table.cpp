@@ -80,6 +80,21 @@ std::string bands_text(const postproc::RunResult& run) {
   return text;
 }
 
+std::string pieces_text(const postproc::RunResult& run) {
+  std::string text;
+  for (const postproc::PieceRow& piece : run.pieces)
+    text += fmt::format("  piece              {}, {}: {}, {:.4g} cm2, {:.3g} g; {:.3g} N/m along the warp, {:.3g} along the weft (at most {:.3g}), stretched to {:.3f} and {:.3f}\n",
+                        piece.garment, piece.piece, piece.fabric.empty() ? "the case's fabric" : piece.fabric, 1e4 * piece.area, 1e3 * piece.weight, piece.tension_warp,
+                        piece.tension_weft, piece.largest_tension, piece.stretch_warp, piece.stretch_weft);
+  for (const postproc::SeamRow& seam : run.seams)
+    text += fmt::format("  seam               {}, {}: {:.3g} N/m across it in the mean, {:.3g} at most, {:.3g} along it; {:.4g} mm\n", seam.garment, seam.seam, seam.line_load,
+                        seam.largest, seam.along, 1e3 * seam.length);
+  for (const postproc::ProfileRow& row : run.profile)
+    text += fmt::format("  profile            {}, {:.4g} mm up: {:.0f} Pa, {:.2f} mmHg, {:.1f} % of the {:.0f} Pa it is made for\n", row.garment, 1e3 * row.height, row.found,
+                        to_mmHg(row.found), 100.0 * row.found / row.wanted, row.wanted);
+  return text;
+}
+
 std::string listed(const char* name, const std::vector<std::string>& texts) {
   std::string text;
   for (const std::string& one : texts) text += fmt::format("  {:<18} {}\n", text.empty() ? name : "", one);
@@ -179,7 +194,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, name_of(run.status),
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
-  text += locations_text(evaluation) + hems_text(run) + bands_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
+  text += locations_text(evaluation) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}{}\n", memory_text(run.peak_memory), memory_of_ranks(run));
   return text + fmt::format("  files              {}\n", out.string());
 }

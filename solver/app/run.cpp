@@ -27,7 +27,7 @@
 #include "solver/app/provenance.hpp"
 #include "solver/app/regression.hpp"
 #include "solver/app/report_files.hpp"
-#include "solver/app/scratch.hpp"
+#include "solver/app/solver_session.hpp"
 #include "solver/app/state_files.hpp"
 #include "solver/app/stop_signals.hpp"
 #include "solver/library/size_estimate.hpp"
@@ -37,19 +37,6 @@ namespace snug::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// PETSc reads the command line for its own options; it gets none of ours.
-class SolverSession {
- public:
-  SolverSession() : session_(count_, arguments_) {}
-
- private:
-  char name_[5] = "snug";
-  char* storage_[2] = {name_, nullptr};
-  char** arguments_ = storage_;
-  int count_ = 1;
-  solver::Session session_;
-};
 
 void warn_of_slow_blas() {
   if (solver::loaded_blas() == "reference")
@@ -81,13 +68,6 @@ int status_of(const postproc::RunResult& run, const fs::path& directory) {
              run.status == postproc::Status::partial ? "the solution stopped on its way, what converged is kept" : "nothing converged",
              run.message.empty() ? "see history.csv" : run.message);
   return not_converged;
-}
-
-/// Without mpirun MPI makes its folder where it is removed whatever ends the run.
-std::unique_ptr<Scratch> prepare_for_mpi(const Cleaner& cleaner) {
-  auto scratch = std::make_unique<Scratch>(temporary_place(), cleaner);
-  ::setenv("OMPI_MCA_orte_tmpdir_base", scratch->path().c_str(), 1);
-  return scratch;
 }
 
 class Run : public Command {

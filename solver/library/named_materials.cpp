@@ -13,7 +13,10 @@ void resolve_materials(input::Case& description, const std::filesystem::path& li
       for (const input::Diagnostic& one : error.errors()) diagnostics.error(one.where, one.found, one.remedy);
     }
   };
-  for (input::GarmentSpec& garment : description.garments) resolve(garment.fabric, materials::Kind::fabric);
+  for (input::GarmentSpec& garment : description.garments) {
+    resolve(garment.fabric, materials::Kind::fabric);
+    for (input::ZoneSpec& zone : garment.zone) resolve(zone.fabric, materials::Kind::fabric);
+  }
   if (description.body)
     for (input::LayerSpec& layer : description.body->layers) resolve(layer.material, materials::Kind::tissue);
   diagnostics.throw_if_any();

@@ -27,7 +27,10 @@ class Checks {
     if (case_.body && case_.body->kind == input::BodyKind::scan) check_shape();
     if (meshes_.limb.skin)
       for (std::size_t g = 0; g < fits_.size(); ++g) check_fit(case_.garments[g], fits_[g]);
-    for (const GarmentModel& garment : model_.garments) check_fabric(garment.fabric, garment.spec.fabric.where);
+    for (const GarmentModel& garment : model_.garments) {
+      check_fabric(garment.fabric, garment.spec.fabric.where);
+      for (std::size_t z = 0; z < garment.zones.size(); ++z) check_fabric(garment.zones[z], garment.spec.zone[z].fabric.where);
+    }
     errors_.throw_if_any();
     return std::move(warnings_);
   }

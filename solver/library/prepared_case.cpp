@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "mesh/body/foreign.hpp"
@@ -12,6 +13,7 @@
 #include "mesh/body/import_shell.hpp"
 #include "mesh/body/scan.hpp"
 #include "postproc/evaluate.hpp"
+#include "solver/library/graduated.hpp"
 #include "solver/library/named_materials.hpp"
 #include "solver/library/plausibility.hpp"
 #include "solver/library/size_estimate.hpp"
@@ -84,7 +86,7 @@ std::vector<mesh::GarmentCut> read_cuts(input::Case& description) {
   std::vector<mesh::GarmentCut> cuts;
   for (input::GarmentSpec& garment : description.garments) {
     cuts.push_back(mesh::read_cut(garment));
-    garment.fabric = cuts.back().spec.fabric;
+    garment.fabric = cuts.back().spec.fabric, garment.zone = cuts.back().spec.zone;
   }
   return cuts;
 }
@@ -97,6 +99,17 @@ std::vector<double> garment_cell_sizes(const PreparedCase& prepared, const std::
     refuse_large_garment(cuts[g], cuts[g].spec.cell_size > 0.0 ? cuts[g].spec.cell_size : sizes.back(), prepared.memory_limit);
   }
   return sizes;
+}
+
+/// Graduated tubes that say what they are to press with and not how wide they are get the circumferences of the law of Laplace.
+void cut_graduated(std::vector<mesh::GarmentCut>& cuts, PreparedCase& prepared) {
+  for (std::size_t g = 0; g < cuts.size(); ++g) {
+    input::PatternSpec& tube = prepared.description.garments[g].pattern;
+    if (!tube.graduated() || !tube.circumferences.empty()) continue;
+    tube.circumferences = laplace_girths(prepared.model.garments[g], prepared.meshes.limb);
+    for (input::PatternSpec* same : {&cuts[g].spec.pattern, &prepared.model.garments[g].spec.pattern, &prepared.model.asked.garments[g].pattern})
+      same->circumferences = tube.circumferences;
+  }
 }
 
 void mesh_garments(const std::vector<mesh::GarmentCut>& cuts, PreparedCase& prepared) {
@@ -135,7 +148,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   PreparedCase prepared;
   const Stopwatch reading;
   prepared.description = input::read_case(directory, options.reading);
-  const std::vector<mesh::GarmentCut> cuts = read_cuts(prepared.description);
+  std::vector<mesh::GarmentCut> cuts = read_cuts(prepared.description);
   resolve_materials(prepared.description, options.library);
   make_model(prepared.description);  // names that are wrong should be said before minutes of meshing
   if (prepared.description.comfort) postproc::load_evidence(*prepared.description.comfort, prepared.description.directory);
@@ -144,6 +157,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
   prepared.meshes = make_body(prepared.description, cuts, options.gmsh, prepared.memory_limit);
   prepared.model = make_model(prepared.description, prepared.meshes.body);
+  cut_graduated(cuts, prepared);
   mesh_garments(cuts, prepared);
   prepared.quality = mesh::quality(prepared.meshes.body);
   prepared.phases.push_back({"meshing", meshing.seconds()});
@@ -161,6 +175,11 @@ postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer
   for (const input::Diagnostic& warning : prepared.warnings)
     run.warnings.push_back({"the input", warning.found, place_text(warning.where), warning.remedy, {}});
   run.fit = fit_of(prepared.meshes);
+  run.profile = pressure_profile(prepared.model, prepared.meshes, run);
+  if (!run.profile.empty()) {
+    double& error = run.numbers["largest_error_of_profile"] = 0.0;
+    for (const postproc::ProfileRow& row : run.profile) error = std::max(error, std::abs(row.found / row.wanted - 1.0));
+  }
   run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
   return run;
 }

@@ -29,7 +29,7 @@ std::vector<mesh::FacetNodeNumbers> covered_facets(const mesh::BodyMesh& body, c
 double worn_cell_size(const Model& model, int g, const mesh::GarmentFit& fit, const mesh::Limb& limb, const mesh::BodyMesh& body) {
   const double usual = 0.6 * std::min(body.mean_skin_cell, needle * mesh::shortest_edge(body, body.skin_facets));
   if (!model.deformable() || !model.contact_of(g)) return usual;
-  const LaplacePressure expected = laplace_pressure(fit, model.garments[g].fabric, limb, body);
+  const LaplacePressure expected = laplace_pressure(fit, model.garments[g], limb, body);
   const double largest = *std::max_element(expected.pressure.begin(), expected.pressure.end());
   if (largest < softest_shear_modulus(model)) return usual;
   return std::min(usual, 0.5 * closer * mesh::shortest_edge(body, covered_facets(body, expected.covered)));

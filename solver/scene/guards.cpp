@@ -59,9 +59,9 @@ class Guards {
     for (std::size_t g = 0; g < garment.parts.size(); ++g)
       for (int i = garment.parts[g].first_triangle; i < garment.parts[g].end_triangle; ++i) {
         const auto& t = garment.triangles[i];
-        const Eigen::Vector2d a = garment.pattern[t[1]] - garment.pattern[t[0]], b = garment.pattern[t[2]] - garment.pattern[t[0]];
+        const std::size_t own = static_cast<std::size_t>(i - garment.parts[g].first_triangle);
         pieces_.push_back({(garment.current[t[0]] + garment.current[t[1]] + garment.current[t[2]]) / 3.0,
-                           0.5 * std::abs(a.x() * b.y() - a.y() * b.x()), &model.garments[g].fabric});
+                           meshes.garments[g].cut_area(own), &model.garments[g].fabric_of(meshes.garments[g].zone_of(own))});
         area_ += pieces_.back().area;
       }
   }
@@ -130,15 +130,16 @@ class Guards {
     double largest = 0.0;
     for (std::size_t t = 0; t < pieces_.size(); ++t) largest = std::max(largest, strain(t));
     number("fabric_largest_strain") = largest;
-    const auto weakest = std::min_element(model_.garments.begin(), model_.garments.end(), [](const auto& a, const auto& b) {
-      return data_end(a.fabric) < data_end(b.fabric);
-    });
-    const double end = data_end(weakest->fabric);
+    std::vector<materials::Fabric> fabrics;
+    for (const GarmentModel& garment : model_.garments)
+      for (const materials::Fabric& one : garment.fabrics()) fabrics.push_back(one);
+    const auto weakest = std::min_element(fabrics.begin(), fabrics.end(), [](const auto& a, const auto& b) { return data_end(a) < data_end(b); });
+    const double end = data_end(*weakest);
     if (!std::isfinite(end)) return;
     number("fabric_data_end") = end;
     const double found = number("fabric_beyond_data_share") = share(beyond);
     if (found <= worth_a_word) return;
-    const std::string& fabric = weakest->fabric.name;
+    const std::string& fabric = weakest->name;
     warn({.name = "fabric beyond its data",
           .text = fmt::format("{:.0f} % of the cloth is stretched beyond the {:.1f} % to which {} is measured, by up to {:.1f} %; there its curve "
                               "is continued straight",
@@ -232,15 +233,25 @@ class Guards {
     return place(bare, [&](std::size_t t) { return bare(t) ? 1.0 : 0.0; });
   }
 
+  /// Of a garment of several fabrics the mean over its cloth.
+  double mean_natural_stretch(int g, bool warp_along, double stretch) const {
+    const GarmentModel& garment = model_.garments[g];
+    const auto of = [&](const materials::Fabric& fabric) { return natural_stretch(warp_along ? fabric.warp : fabric.weft, fabric.coupling, stretch); };
+    if (garment.zones.empty()) return of(garment.fabric);
+    const mesh::GarmentMesh& mesh = meshes_.garments[g];
+    double sum = 0.0, area = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) sum += mesh.cut_area(t) * of(garment.fabric_of(mesh.zone_of(t))), area += mesh.cut_area(t);
+    return sum / area;
+  }
+
   /// Between the placed garments' area and the same with the contraction that stretch round the limb brings along.
   void look_at_area(bool said) {
     double placed = 0.0, contracted = 0.0;
     for (std::size_t g = 0; g < model_.garments.size(); ++g) {
-      const materials::Fabric& fabric = model_.garments[g].fabric;
       const mesh::GarmentFit& fit = meshes_.garments[g].fit;
       const mesh::MeanFit mean = mesh::mean_fit(fit, meshes_.limb);
       placed += mean.area;
-      contracted += mean.area * natural_stretch(fit.warp_along ? fabric.warp : fabric.weft, fabric.coupling, mean.stretch);
+      contracted += mean.area * mean_natural_stretch(static_cast<int>(g), fit.warp_along, mean.stretch);
     }
     const double contraction = contracted / placed;
     const double found = number("contact_area_over_expected") = touching(false) / placed;

@@ -74,14 +74,19 @@ LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMes
 
 void add_loose_cloth(const Model& model, int g, const mesh::GarmentMesh& mesh, Scene& scene) {
   const LooseCloth cloth = loose_cloth(model.garments[g].spec, mesh);
-  const materials::Fabric fabric = materials::with_usual_sheet(model.garments[g].fabric);
+  std::vector<materials::BendingStiffness> bending;
+  std::vector<double> areal_density;
+  for (const materials::Fabric& fabric : model.garments[g].fabrics()) {
+    const materials::Fabric sheet = materials::with_usual_sheet(fabric);
+    bending.push_back(sheet.bending), areal_density.push_back(sheet.areal_density);
+  }
   const Field& position = scene.layout()[mesh.name];
-  if (cloth.bending) scene.add(std::make_unique<FabricBending>(mesh.name, position, mesh, fabric.bending));
+  if (cloth.bending) scene.add(std::make_unique<FabricBending>(mesh.name, position, mesh, bending));
   if (!cloth.weight) return;
   const auto& load = model.asked.load;
   const bool given = load && load->gravity != std::array<double, 3>{0, 0, 0};
   NodalForces forces(mesh.pattern.size(), Eigen::Vector3d::Zero());
-  add_weight(mesh, fabric.areal_density, vector(given ? load->gravity : upright_gravity), forces);
+  add_weight(mesh, areal_density, vector(given ? load->gravity : upright_gravity), forces);
   scene.add(std::make_unique<DeadLoad>("weight of " + mesh.name, position, forces));
 }
 

@@ -46,7 +46,11 @@ ContactModel make_contact(const input::ContactSpec& spec, const std::string& sla
 
 void add_garments(const input::Case& description, Collector& collect, Model& model) {
   for (const input::GarmentSpec& garment : description.garments)
-    collect([&] { model.garments.push_back({garment, materials::find_fabric(garment.fabric, garment.branch)}); });
+    collect([&] {
+      GarmentModel found{garment, materials::find_fabric(garment.fabric, garment.branch)};
+      for (const input::ZoneSpec& zone : garment.zone) found.zones.push_back(materials::find_fabric(zone.fabric, garment.branch));
+      model.garments.push_back(std::move(found));
+    });
 }
 
 void add_contacts(const input::Case& description, Model& model) {
@@ -71,6 +75,18 @@ void add_contacts(const input::Case& description, Model& model) {
 }
 
 }  // namespace
+
+std::vector<materials::Fabric> GarmentModel::fabrics() const {
+  std::vector<materials::Fabric> all{fabric};
+  all.insert(all.end(), zones.begin(), zones.end());
+  return all;
+}
+
+double GarmentModel::stiffness() const {
+  double stiffest = fabric.stiffness();
+  for (const materials::Fabric& zone : zones) stiffest = std::max(stiffest, zone.stiffness());
+  return stiffest;
+}
 
 const ContactModel* Model::contact_of(int garment) const {
   const auto it = std::find_if(contacts.begin(), contacts.end(), [&](const auto& contact) { return contact.garment == garment; });

@@ -13,10 +13,17 @@
 
 namespace snug::solver {
 
-/// A garment with its fabric.
+/// A garment with its fabrics.
 struct GarmentModel {
   input::GarmentSpec spec;
-  materials::Fabric fabric;
+  materials::Fabric fabric;                   ///< of what is in no zone
+  std::vector<materials::Fabric> zones = {};  ///< of its zones (spec.zone), in their order
+
+  /// Its own, then those of its zones: index 1 + zone.
+  std::vector<materials::Fabric> fabrics() const;
+  const materials::Fabric& fabric_of(int zone) const { return zone < 0 ? fabric : zones[zone]; }
+  /// N/m, of the stiffest.
+  double stiffness() const;
 };
 
 /// Surfaces that touch: a garment on what lies under it, or two surfaces of the body.

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -71,11 +72,37 @@ void list_body(const Model& model, const Meshes& meshes, Plan& plan) {
     plan.parts_out.push_back("bone: rigid, a fixed boundary without unknowns");
 }
 
+std::string bending_text(const materials::Fabric& fabric) {
+  const auto B = materials::with_usual_sheet(fabric).bending;
+  return fmt::format("{:.3g} N m along the warp, {:.3g} along the weft{}", B.warp, B.weft, fabric.bending.warp == 0.0 ? " (assumed: a bending length of 12 mm)" : "");
+}
+
+std::string weight_text(const materials::Fabric& fabric) {
+  return fmt::format("{:.3g} g/m2{}", 1e3 * materials::with_usual_sheet(fabric).areal_density, fabric.areal_density == 0.0 ? " (assumed)" : "");
+}
+
+/// "N85L15", or "N85L15 and C98L2".
+std::string names_of_fabrics(const GarmentModel& garment) {
+  std::vector<std::string> names;
+  for (const materials::Fabric& fabric : garment.fabrics())
+    if (std::find(names.begin(), names.end(), fabric.name) == names.end()) names.push_back(fabric.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+/// What a text says of the garment's fabric, or of each of several: "N85L15 …, C98L2 …".
+std::string of_each(const GarmentModel& garment, std::string (*text)(const materials::Fabric&)) {
+  if (garment.zones.empty()) return text(garment.fabric);
+  std::vector<std::string> texts;
+  for (const materials::Fabric& fabric : garment.fabrics())
+    if (std::string one = fmt::format("{} {}", fabric.name, text(fabric)); std::find(texts.begin(), texts.end(), one) == texts.end()) texts.push_back(std::move(one));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 // Why cloth has bending and weight in this scene or not, and where a number is not the fabric's own.
-void list_loose_cloth(const std::string& name, const input::GarmentSpec& garment, const materials::Fabric& fabric,
-                      const mesh::GarmentMesh& mesh, Plan& plan) {
+void list_loose_cloth(const GarmentModel& model, const mesh::GarmentMesh& mesh, Plan& plan) {
+  const input::GarmentSpec& garment = model.spec;
+  const std::string& name = garment.name;
   const LooseCloth cloth = loose_cloth(garment, mesh);
-  const materials::Fabric sheet = materials::with_usual_sheet(fabric);
   const bool loose = mesh.stand_off > 0.0;
   const std::string why = loose ? fmt::format("the {} is up to {:.3g} mm wider all round than the body", name, 1e3 * mesh.stand_off)
                                 : "the " + name + " is nowhere wider than the body";
@@ -83,12 +110,18 @@ void list_loose_cloth(const std::string& name, const input::GarmentSpec& garment
     const std::string reason = asked ? "the case says so" : in || !loose ? why : "it takes quadratic triangles";
     (in ? plan.parts_in : plan.parts_out).push_back(fmt::format("{}: {}{}", part, in ? size + "; " : "", reason));
   };
-  const auto& B = sheet.bending;
-  put(name == "garment" ? "bending" : "bending of the " + name, cloth.bending, garment.bending,
-      fmt::format("{:.3g} N m along the warp, {:.3g} along the weft{}", B.warp, B.weft,
-                  fabric.bending.warp == 0.0 ? " (assumed: a bending length of 12 mm)" : ""));
-  put("weight of the " + name, cloth.weight, garment.weight,
-      fmt::format("{:.3g} g/m2{}", 1e3 * sheet.areal_density, fabric.areal_density == 0.0 ? " (assumed)" : ""));
+  put(name == "garment" ? "bending" : "bending of the " + name, cloth.bending, garment.bending, of_each(model, bending_text));
+  put("weight of the " + name, cloth.weight, garment.weight, of_each(model, weight_text));
+}
+
+/// What of a garment is of which fabric, where it is of several.
+void list_fabrics(const GarmentModel& garment, const mesh::GarmentMesh& mesh, Plan& plan) {
+  if (garment.zones.empty()) return;
+  std::vector<double> areas(mesh.pieces.size(), 0.0);
+  std::vector<int> zone(mesh.pieces.size(), -1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) areas[mesh.piece_of(t)] += mesh.cut_area(t), zone[mesh.piece_of(t)] = mesh.zone_of(t);
+  for (std::size_t p = 0; p < mesh.pieces.size(); ++p)
+    plan.parts_in.push_back(fmt::format("fabric of {}, {}: {}, {:.4g} cm2", garment.spec.name, mesh.pieces[p], garment.fabric_of(zone[p]).name, 1e4 * areas[p]));
 }
 
 /// "on": what the slave lies on where it is not the skin alone.
@@ -115,18 +148,19 @@ std::string layers_text(const std::vector<std::string>& masters) {
 }
 
 void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
-  const materials::Fabric& fabric = model.garments[g].fabric;
   const std::string& name = model.garments[g].spec.name;
+  const std::string fabric = names_of_fabrics(model.garments[g]);
   if (model.asked.solver.tier == input::Tier::L0) {
-    plan.parts_in.push_back(fmt::format("{}: law of Laplace, tension of {}", name, fabric.name));
+    plan.parts_in.push_back(fmt::format("{}: law of Laplace, tension of {}", name, fabric));
     if (g == 0) plan.parts_out.push_back("garment mesh, contact: tier L0 has no unknowns");
     return;
   }
   const mesh::GarmentMesh& mesh = meshes.garments[g];
   plan.parts_in.push_back(
-      fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric.name, mesh.triangles.size(), mesh.order));
+      fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric, mesh.triangles.size(), mesh.order));
+  list_fabrics(model.garments[g], mesh, plan);
   list_contact(model.contact_of(g), layers_text(master_names(meshes.garments, layers_under(model, meshes.garments, g))), plan);
-  list_loose_cloth(name, model.garments[g].spec, fabric, mesh, plan);
+  list_loose_cloth(model.garments[g], mesh, plan);
   for (const input::BandSpec& band : model.garments[g].spec.band) {
     const BandModel as = band_model(band, mesh);
     plan.parts_in.push_back(fmt::format("band of {}, {} edge: {:.3g} N at a strain of 1, {:.4g} mm at rest along {:.4g} mm as cut", name, band.edge, as.stiffness,
@@ -191,7 +225,7 @@ void list_free_motions(const Model& model, const Meshes& meshes, Plan& plan) {
 // Whether a garment presses harder than the softest tissue is stiff (law of Laplace).
 bool presses_hard(const Model& model, const Meshes& meshes) {
   for (std::size_t g = 0; g < model.garments.size(); ++g)
-    if (laplace_pressure(meshes.garments[g].fit, model.garments[g].fabric, meshes.limb, meshes.body).mean > softest_shear_modulus(model)) return true;
+    if (laplace_pressure(meshes.garments[g].fit, model.garments[g], meshes.limb, meshes.body).mean > softest_shear_modulus(model)) return true;
   return false;
 }
 

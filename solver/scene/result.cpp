@@ -13,6 +13,7 @@
 #include "solver/scene/contact_rows.hpp"
 #include "solver/scene/friction_result.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/scene/piece_rows.hpp"
 #include "solver/scene/reactions.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/shell.hpp"
@@ -46,15 +47,26 @@ void show_laplace(postproc::BodyResult& body) {
   for (std::size_t i = 0; i < coverage.size(); ++i) coverage[i] = (*laplace)[i] > 0.0 ? 1.0 : 0.0;
 }
 
+// Each course as long as it is, about the middle of the rectangle that the tube is meshed on.
+static void draw_as_knitted(const mesh::GarmentMesh& mesh, std::vector<Eigen::Vector2d>& pattern) {
+  const std::size_t first = pattern.size() - mesh.pattern.size();
+  double widest = 0.0;
+  for (const Eigen::Vector2d& x : mesh.pattern) widest = std::max(widest, x.x());
+  for (std::size_t n = 0; n < mesh.pattern.size(); ++n) pattern[first + n].x() = 0.5 * widest + mesh.course[n] * (mesh.pattern[n].x() - 0.5 * widest);
+}
+
 void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result) {
   const int first = static_cast<int>(result.pattern.size()), first_triangle = static_cast<int>(result.triangles.size());
   result.placed.insert(result.placed.end(), mesh.placed.begin(), mesh.placed.end());
   result.pattern.insert(result.pattern.end(), mesh.pattern.begin(), mesh.pattern.end());
-  for (auto triangle : mesh.triangles) {
+  if (!mesh.course.empty()) draw_as_knitted(mesh, result.pattern);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    auto triangle = mesh.triangles[t];
     for (int& node : triangle) node += first;
-    result.triangles.push_back(triangle);
+    result.triangles.push_back(triangle), result.piece.push_back(mesh.piece_of(t));
   }
-  result.parts.push_back({mesh.name, first, static_cast<int>(result.pattern.size()), first_triangle, static_cast<int>(result.triangles.size())});
+  result.parts.push_back(
+      {mesh.name, first, static_cast<int>(result.pattern.size()), first_triangle, static_cast<int>(result.triangles.size()), mesh.pieces});
 }
 
 namespace {
@@ -331,6 +343,7 @@ void fill_result(const Scene& scene, const State& state, const Model& model, con
   for (const Touch& touch : scene.touches())
     if (!touch.sheet) fill_solid_contact(state, touch, *model.contact(touch.contact->name()), result.body.fields, result);
   result.bands = band_rows(scene, state);
+  result.pieces = piece_rows(scene, state, model, meshes.garments), result.seams = seam_rows(scene, state, meshes.garments);
   fill_reactions(scene, state, meshes.garments, result.balance);
   if (const auto* shell = scene.find<Shell>()) fill_foundation(*shell, state, scene.layout(), result.balance);
   result.balance.free_motions_share = borne_by_free_motions(scene, state);

@@ -297,8 +297,8 @@ double body_stiffness(const Model& model, double master_edge) {
 }
 
 // The same of a sheet.
-double sheet_stiffness(const materials::Fabric& fabric, const mesh::GarmentMesh& garment) {
-  return fabric.stiffness() / (garment.mean_edge * garment.mean_edge);
+double sheet_stiffness(const GarmentModel& model, const mesh::GarmentMesh& garment) {
+  return model.stiffness() / (garment.mean_edge * garment.mean_edge);
 }
 
 ShellElasticity shell_elasticity(const materials::Tissue& tissue, const mesh::Layer& layer) {
@@ -353,16 +353,16 @@ void add_garment(const Model& model, int g, const Meshes& meshes, Skin skin, std
   const mesh::GarmentMesh& mesh = meshes.garments[g];
   const Field& position = scene.layout()[mesh.name];
   scene.add(Part{mesh.name, Role::garment, position});
-  const FabricMembrane& fabric = scene.add(std::make_unique<FabricMembrane>(mesh.name, position, mesh, garment.fabric, prestretch));
+  const FabricMembrane& fabric = scene.add(std::make_unique<FabricMembrane>(mesh.name, position, mesh, garment.fabrics(), prestretch));
   add_loose_cloth(model, g, mesh, scene);
   add_bands(garment.spec, mesh, scene);
   const ContactModel* contact = model.contact_of(g);
   if (!contact) return;
-  const double sheet = sheet_stiffness(garment.fabric, mesh);
+  const double sheet = sheet_stiffness(garment, mesh);
   const std::vector<int> under = layers_under(model, meshes.garments, g);
   MasterSurface ground(scene.layout()["body"], meshes.body, meshes.body.skin_facets);
   double stiffness = skin == Skin::deformable ? std::max(sheet, ground_stiffness(model, meshes.body, ground.mean_edge())) : sheet;
-  for (const int layer : under) stiffness = std::max(stiffness, sheet_stiffness(model.garments[layer].fabric, meshes.garments[layer]));
+  for (const int layer : under) stiffness = std::max(stiffness, sheet_stiffness(model.garments[layer], meshes.garments[layer]));
   add_touch(*contact, master_names(meshes.garments, under), &fabric,
             {scene.layout()[contact->name], slave_with_bands(position, garment.spec, mesh), over_layers(scene.layout(), meshes.garments, under, std::move(ground))},
             stiffness, sheet, scene);

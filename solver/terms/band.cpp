@@ -45,10 +45,11 @@ std::vector<Side> sides_along(const mesh::GarmentMesh& garment, const std::strin
   return sides;
 }
 
-/// |dX/dxi| on the pattern, m.
+/// |dX/dxi| on the pattern, m; of courses with lengths of their own (mesh.course) theirs.
 double pattern_stretch(const mesh::GarmentMesh& garment, const Side& side, const Eigen::Vector3d& slope) {
   Eigen::Vector2d tangent = Eigen::Vector2d::Zero();
   for (int a = 0; a < 3; ++a) tangent += slope[a] * garment.pattern[side.nodes[a]];
+  if (!garment.course.empty()) tangent.x() *= (garment.course[side.nodes[0]] + garment.course[side.nodes[1]] + garment.course[side.nodes[2]]) / 3.0;
   return tangent.norm();
 }
 

@@ -32,13 +32,16 @@ void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, 
   }
 }
 
-void add_weight(const mesh::GarmentMesh& mesh, double areal_density, const Eigen::Vector3d& gravity, NodalForces& forces) {
-  for (const auto& triangle : mesh.triangles) {
+void add_weight(const mesh::GarmentMesh& mesh, const std::vector<double>& areal_density, const Eigen::Vector3d& gravity, NodalForces& forces) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
+    const double density = areal_density[1 + mesh.zone_of(t)];
+    const Eigen::Matrix<double, 1, 6> course = mesh.course_of(t);
     Eigen::Matrix<double, 2, 6> pattern;
     for (int a = 0; a < 6; ++a) pattern.col(a) = mesh.pattern[triangle[a]];
     for (const TrianglePoint& q : triangle_rule()) {
-      const double dm = q.weight * pattern_point(mesh.order, pattern, q.L).area * areal_density;
       const auto N = garment_values(mesh.order, q.L);
+      const double dm = q.weight * pattern_point(mesh.order, pattern, q.L).area * density * course_value(course, N);
       for (int a = 0; a < 6; ++a) forces[mesh.merged[triangle[a]]] += dm * N[a] * gravity;
     }
   }

@@ -18,8 +18,8 @@ void add_traction(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeN
 /// Adds  int N_a rho g dV  ; `density[l]` of layer l in kg/m3, `gravity` in m/s2.
 void add_weight(const mesh::BodyMesh& mesh, const std::vector<double>& density, const Eigen::Vector3d& gravity,
                 NodalForces& forces);
-/// Adds  int N_a rho g dA  of a garment; `areal_density` in kg/m2.
-void add_weight(const mesh::GarmentMesh& mesh, double areal_density, const Eigen::Vector3d& gravity, NodalForces& forces);
+/// Adds  int N_a rho g dA  of a garment; `areal_density` in kg/m2, of its own fabric and then of those of its zones.
+void add_weight(const mesh::GarmentMesh& mesh, const std::vector<double>& areal_density, const Eigen::Vector3d& gravity, NodalForces& forces);
 /// Area of facets of the reference body, m2.
 double area(const mesh::BodyMesh& mesh, const std::vector<mesh::FacetNodeNumbers>& facets);
 

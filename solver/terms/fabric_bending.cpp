@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "solver/terms/garment_shape.hpp"
 #include "solver/terms/parallel.hpp"
 
 namespace snug::solver {
@@ -25,14 +26,22 @@ Eigen::Matrix3d to_frame(const Eigen::Matrix2d& tangents, const Eigen::Matrix2d&
 }  // namespace
 
 FabricBending::FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh,
-                             const materials::BendingStiffness& stiffness)
-    : garment_(std::move(garment)), field_(positions), stiffness_(Eigen::Vector3d(stiffness.warp, stiffness.weft, stiffness.twist()).asDiagonal()) {
+                             const std::vector<materials::BendingStiffness>& stiffness)
+    : garment_(std::move(garment)), field_(positions) {
+  for (const materials::BendingStiffness& one : stiffness) stiffness_.emplace_back(Eigen::Vector3d(one.warp, one.weft, one.twist()).asDiagonal());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(mesh, t);
   add_edges();
 }
 
+Eigen::Matrix2d FabricBending::Triangle::tangents(const TrianglePlace& place) const {
+  Eigen::Matrix2d along = pattern * place.dN;
+  along.row(0) *= course_value(course, place.N);
+  return along;
+}
+
 void FabricBending::add_triangle(const mesh::GarmentMesh& mesh, std::size_t t) {
   Triangle triangle;
+  triangle.fabric = 1 + mesh.zone_of(t), triangle.course = mesh.course_of(t);
   triangle.frame.col(0) = mesh.warp[t];
   triangle.frame.col(1) = Eigen::Vector2d(-mesh.warp[t].y(), mesh.warp[t].x());
   std::array<int, 18> entries{};
@@ -44,9 +53,9 @@ void FabricBending::add_triangle(const mesh::GarmentMesh& mesh, std::size_t t) {
   for (const BendingRulePoint& q : bending_rule()) {
     Point point;
     point.place = triangle_place(q.xi);
-    const Eigen::Matrix2d tangents = triangle.pattern * point.place.dN;
+    const Eigen::Matrix2d tangents = triangle.tangents(point.place);
     const Eigen::Matrix3d T = to_frame(tangents, triangle.frame);
-    point.stiffness = T.transpose() * stiffness_ * T;
+    point.stiffness = T.transpose() * stiffness_[triangle.fabric] * T;
     point.weight = q.weight * tangents.determinant();
     triangle.area += point.weight;
     triangle.points.push_back(point);
@@ -89,12 +98,13 @@ void FabricBending::set_side(EdgePoint& point, int k, const std::array<int, 2>& 
   EdgeSide& side = point.side[k];
   side.place = place.place, side.along = place.along;
   side.reference_b.setZero();
-  const Eigen::Matrix2d tangents = triangle.pattern * place.place.dN;
+  const Eigen::Matrix2d tangents = triangle.tangents(place.place);
+  const Eigen::Matrix3d& stiffness = stiffness_[triangle.fabric];
   const Eigen::Vector2d along = tangents * place.along, n = triangle.frame.transpose() * Eigen::Vector2d(along.y(), -along.x()).normalized();
   const Eigen::Vector3d across(n[0] * n[0], n[1] * n[1], 2.0 * n[0] * n[1]);
-  side.moment = to_frame(tangents, triangle.frame).transpose() * stiffness_ * across;
+  side.moment = to_frame(tangents, triangle.frame).transpose() * stiffness * across;
   point.weight += 0.5 * edge_weight(q) * along.norm();
-  point.penalty += edge_penalty(0.5, across.dot(stiffness_ * across), along.norm(), triangle.area);
+  point.penalty += edge_penalty(0.5, across.dot(stiffness * across), along.norm(), triangle.area);
 }
 
 TriangleNodes FabricBending::positions(const State& state, int triangle) const {

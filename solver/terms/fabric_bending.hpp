@@ -16,11 +16,13 @@ namespace snug::solver {
 /// against the mean bending moment and a penalty (C0 interior penalty, see shell_kernel.hpp). The rest state is the flat
 /// pattern, seams flat, too: a sewn tube is bent by its own roundness. Second forms are tensors and vanish on the pattern,
 /// so that the triangle's own coordinates serve even where its edges are curved. Free edges and those that are held turn
-/// freely; where more than two pieces meet at a seam, it is a hinge.
+/// freely; where more than two pieces meet at a seam, it is a hinge. Pieces of several fabrics bend each as its own; a seam between two has
+/// the mean of their moments and of their penalties, so that the angle stays none there, too. Lengths at rest of a tube that is knitted round are
+/// those of its courses.
 class FabricBending : public Term {
  public:
-  /// Takes quadratic triangles (mesh.order 2).
-  FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const materials::BendingStiffness& stiffness);
+  /// Takes quadratic triangles (mesh.order 2). `stiffness`: of the garment's own fabric, then of those of its zones.
+  FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const std::vector<materials::BendingStiffness>& stiffness);
 
   std::string name() const override { return "bending of " + garment_; }
   const ElementEntries& entries(const State&) const override { return entries_; }
@@ -39,9 +41,14 @@ class FabricBending : public Term {
   struct Triangle {
     std::array<int, 6> nodes;              ///< representative nodes
     Eigen::Matrix<double, 2, 6> pattern;   ///< m
+    Eigen::Matrix<double, 1, 6> course;    ///< of the nodes (mesh.course)
     Eigen::Matrix2d frame;                 ///< columns: warp, weft on the pattern
+    int fabric = 0;
     double area = 0.0;
     std::vector<Point> points;
+
+    /// Along (xi, eta), of the cloth at rest, m.
+    Eigen::Matrix2d tangents(const TrianglePlace& place) const;
   };
   struct Slot;
   void add_triangle(const mesh::GarmentMesh& mesh, std::size_t triangle);
@@ -53,7 +60,7 @@ class FabricBending : public Term {
 
   std::string garment_;
   Field field_;
-  Eigen::Matrix3d stiffness_;  ///< along warp and weft, of (k11, k22, 2 k12)
+  std::vector<Eigen::Matrix3d> stiffness_;  ///< of the fabrics, along warp and weft, of (k11, k22, 2 k12)
   std::vector<Triangle> triangles_;
   std::vector<EdgeSides> edges_;
   ElementEntries entries_;     ///< triangles first, then edges

@@ -1,9 +1,11 @@
 #include "solver/terms/fabric_membrane.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 
+#include "solver/fem/element.hpp"
 #include "solver/terms/garment_shape.hpp"
 #include "solver/terms/parallel.hpp"
 
@@ -14,41 +16,60 @@ namespace {
 // Where nothing touches, the residual is measured against the force of this strain across the garment.
 constexpr double noticeable_strain = 1e-3;
 
+/// d (xi, eta) along a side per its own coordinate from 0 to 1, L = (1 - xi - eta, xi, eta).
+Eigen::Vector2d side_direction(int side) {
+  const std::array<Eigen::Vector2d, 3> corner = {Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1)};
+  return corner[(side + 1) % 3] - corner[side];
+}
+
+NodeVectors<6> placed_nodes(const mesh::GarmentMesh& mesh, std::size_t triangle) {
+  NodeVectors<6> placed;
+  for (int a = 0; a < 6; ++a) placed.col(a) = mesh.placed[mesh.triangles[triangle][a]];
+  return placed;
+}
+
 }  // namespace
 
-FabricMembrane::FabricMembrane(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+FabricMembrane::FabricMembrane(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, std::vector<materials::Fabric> fabrics,
                                std::optional<double> prestretch)
-    : garment_(std::move(garment)), field_(positions), fabric_(fabric), order_(mesh.order), mean_edge_(mesh.mean_edge) {
+    : garment_(std::move(garment)), field_(positions), fabrics_(std::move(fabrics)), prestretch_(prestretch), order_(mesh.order), mean_edge_(mesh.mean_edge) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corner = mesh.triangles[t];
     Element element;
+    element.fabric = 1 + mesh.zone_of(t);
     element.frame.col(0) = mesh.warp[t];
     element.frame.col(1) = Eigen::Vector2d(-mesh.warp[t].y(), mesh.warp[t].x());
-    NodeVectors<6> placed;
+    element.course = mesh.course_of(t);
     std::array<int, 18> entries{};
     for (int a = 0; a < 6; ++a) {
       element.nodes[a] = mesh.merged[corner[a]];
-      placed.col(a) = mesh.placed[corner[a]];
       element.pattern.col(a) = mesh.pattern[corner[a]];
       for (int c = 0; c < 3; ++c) entries[3 * a + c] = positions(element.nodes[a], c);
     }
+    const NodeVectors<6> placed = placed_nodes(mesh, t);
     for (const TrianglePoint& q : triangle_rule()) {
-      Point point;
-      const PatternPoint flat = pattern_point(order_, element.pattern, q.L);
-      point.gradient = flat.gradient.transpose();
-      point.weight = q.weight * flat.area;
-      element.area += point.weight;
-      const Eigen::Matrix<double, 3, 2> F0 = placed * point.gradient.transpose();
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> U0(Eigen::Matrix2d(F0.transpose() * F0));
-      point.axes = U0.eigenvectors();
-      point.log_placed = U0.eigenvalues().cwiseSqrt().cwiseMax(0.3).cwiseMin(3.0).array().log();
-      point.log_rest.setZero();
-      if (prestretch) point.log_rest = point.log_placed.array() - std::log(*prestretch);
-      element.points.push_back(point);
+      element.points.push_back(point_at(element, placed, q));
+      element.area += q.weight * pattern_point(order_, element.pattern, q.L).area;
     }
     entries_.push(entries);
     elements_.push_back(std::move(element));
   }
+}
+
+FabricMembrane::Point FabricMembrane::point_at(const Element& element, const NodeVectors<6>& placed, const TrianglePoint& q) const {
+  Point point;
+  const PatternPoint flat = pattern_point(order_, element.pattern, q.L);
+  const double course = course_value(element.course, garment_values(order_, q.L));
+  point.gradient = flat.gradient.transpose();
+  point.gradient.row(0) /= course;
+  point.weight = q.weight * flat.area * course;
+  const Eigen::Matrix<double, 3, 2> F0 = placed * point.gradient.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> U0(Eigen::Matrix2d(F0.transpose() * F0));
+  point.axes = U0.eigenvectors();
+  point.log_placed = U0.eigenvalues().cwiseSqrt().cwiseMax(0.3).cwiseMin(3.0).array().log();
+  point.log_rest.setZero();
+  if (prestretch_) point.log_rest = point.log_placed.array() - std::log(*prestretch_);
+  return point;
 }
 
 double FabricMembrane::eta(double load) const { return std::pow(1e-2, 1.0 - load) * std::pow(final_eta_, load); }
@@ -73,7 +94,7 @@ double FabricMembrane::energy(const State& state) const {
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      sum += weight * fabric_.relaxed(membrane_strain<6>(x, d), eta(state.load)).energy;
+      sum += weight * fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load)).energy;
     }
   }
   return sum;
@@ -84,12 +105,13 @@ bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) c
   const double compressive = eta(state.load);
   const auto compute = [&](int e, MembraneElement<6>& slot) {
     const Element& element = elements_[e];
+    const materials::Fabric& fabric = fabrics_[element.fabric];
     const NodeVectors<6> x = positions(state, element);
     slot.zero();
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      add_membrane_point<6>(x, d, weight, fabric_.relaxed(membrane_strain<6>(x, d), compressive), wanted(tangent), slot);
+      add_membrane_point<6>(x, d, weight, fabric.relaxed(membrane_strain<6>(x, d), compressive), wanted(tangent), slot);
     }
     return slot.residual.allFinite();
   };
@@ -101,7 +123,9 @@ bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) c
 void FabricMembrane::measure(const State&, Measure& measure) const {
   double area = 0.0;
   for (const Element& element : elements_) area += element.area;
-  measure.smallest_force = std::max(measure.smallest_force, noticeable_strain * fabric_.stiffness() * std::sqrt(area));
+  double softest = fabrics_.front().stiffness();
+  for (const materials::Fabric& fabric : fabrics_) softest = std::min(softest, fabric.stiffness());
+  measure.smallest_force = std::max(measure.smallest_force, noticeable_strain * softest * std::sqrt(area));
 }
 
 void FabricMembrane::damp(Eigen::VectorXd& weights) const {
@@ -109,7 +133,7 @@ void FabricMembrane::damp(Eigen::VectorXd& weights) const {
     const double area = flat_triangle(element.pattern.col(0), element.pattern.col(1), element.pattern.col(2)).area;
     for (const int node : element.nodes)
       for (int c = 0; c < 3; ++c)
-        weights[field_(node, c)] += area / 6.0 * fabric_.stiffness() / (mean_edge_ * mean_edge_);
+        weights[field_(node, c)] += area / 6.0 * fabrics_[element.fabric].stiffness() / (mean_edge_ * mean_edge_);
   }
 }
 
@@ -162,7 +186,7 @@ FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle
     double weight = 0.0;
     const Derivatives<6> d = derivatives(element, point, state.load, weight);
     const Eigen::Matrix<double, 3, 2> f = x * d.transpose();
-    const auto response = fabric_.relaxed(membrane_strain<6>(x, d), eta(state.load));
+    const auto response = fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load));
     const double l1 = f.col(0).norm(), l2 = f.col(1).norm(), J = f.col(0).cross(f.col(1)).norm();
     // Cauchy force sigma = F N F^T / J, components along the current warp and weft directions.
     s.tension_warp += point.weight * response.force[0] * l1 * l1 / J;
@@ -177,6 +201,37 @@ FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle
   for (double* value : {&s.tension_warp, &s.tension_weft, &s.shear, &s.stretch_warp, &s.stretch_weft, &s.area_ratio})
     *value /= area;
   return s;
+}
+
+// Force on an element dL of a side with the normal n at rest: P n dL, P = F N. At rest, as far as the way of the metric has come, the side is
+// H dX; turned by a right angle it is n dL, outwards where the triangle runs counter-clockwise.
+FabricMembrane::SideForce FabricMembrane::side_force(const State& state, const mesh::GarmentMesh& mesh, int triangle, int side) const {
+  const Element& element = elements_[triangle];
+  const NodeVectors<6> x = positions(state, element), placed = placed_nodes(mesh, static_cast<std::size_t>(triangle));
+  const fem::Rule rule = fem::quadrature(fem::Domain::line, 5);
+  SideForce force;
+  for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
+    const double s = 0.5 * (1.0 + rule.points(0, q));
+    Eigen::Vector3d L = Eigen::Vector3d::Zero();
+    L[side] = 1.0 - s, L[(side + 1) % 3] = s;
+    const Point point = point_at(element, placed, {L, 1.0});
+    double weight = 0.0;
+    const Derivatives<6> d = derivatives(element, point, state.load, weight);
+    const Eigen::Matrix<double, 3, 2> f = x * d.transpose();
+    const Eigen::Vector3d n = fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load)).force;
+    // Along the side, per dxi: of the cloth now, and in the frame at rest from f e = dx.
+    Eigen::Matrix<double, 6, 1> slope = garment_slopes(order_, L) * side_direction(side);
+    const Eigen::Vector3d now = 0.5 * x * slope;
+    const Eigen::Vector2d rest = (f.transpose() * f).ldlt().solve(f.transpose() * now);
+    const Eigen::Vector3d traction = f * Eigen::Vector2d(n[0] * rest.y() - n[2] * rest.x(), n[2] * rest.y() - n[1] * rest.x());
+    const double length = now.norm();
+    const Eigen::Vector3d along = now / length, normal = f.col(0).cross(f.col(1)).normalized(), out = along.cross(normal);
+    force.length += rule.weights[q] * length;
+    force.across += rule.weights[q] * traction.dot(out), force.along += rule.weights[q] * traction.dot(along);
+    force.largest = std::max(force.largest, traction.dot(out) / length);
+  }
+  force.along = std::abs(force.along);
+  return force;
 }
 
 }  // namespace snug::solver

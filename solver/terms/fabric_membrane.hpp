@@ -7,6 +7,7 @@
 
 #include "materials/fabric/fabric.hpp"
 #include "mesh/garment/garment_mesh.hpp"
+#include "solver/terms/garment_shape.hpp"
 #include "solver/terms/membrane_kernel.hpp"
 #include "solver/terms/term.hpp"
 
@@ -14,14 +15,17 @@ namespace snug::solver {
 
 /// Metric homotopy: with F0 = grad x_placed = R U0 on the pattern and U0 = sum l_i e_i e_i^T (l clipped to [0.3, 3]),
 ///   H(s) = sum l_i^(1-s) m_i^s e_i e_i^T,   F_e = F H(s)^-1,   dA_rest = det H(s) dA_pattern.
-/// m_i = 1: at s = 1 the rest metric is exactly the pattern's. With a `prestretch` p, m_i = l_i / p: the rest shape is the
+/// m_i = 1: at s = 1 the rest metric is exactly the pattern's. On a tube that is knitted round (mesh.course) the pattern is that of its courses:
+/// F0 and F take their gradients along the lengths of the cloth at rest, (x course, y), and dA_pattern is its area. With a `prestretch` p, m_i = l_i / p: the rest shape is the
 /// placed shape shrunk by p (verification cases whose rest shape is not flat).
 class FabricMembrane : public Term {
  public:
-  FabricMembrane(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const materials::Fabric& fabric,
+  /// `fabrics`: the garment's own, then those of its zones.
+  FabricMembrane(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, std::vector<materials::Fabric> fabrics,
                  std::optional<double> prestretch = {});
 
-  std::string name() const override { return "fabric of " + garment_; }
+  static std::string name_of(const std::string& garment) { return "fabric of " + garment; }
+  std::string name() const override { return name_of(garment_); }
   const ElementEntries& entries(const State&) const override { return entries_; }
   double energy(const State& state) const override;
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
@@ -47,6 +51,15 @@ class FabricMembrane : public Term {
   double area_ratio(const State& state, int triangle, const Eigen::Vector3d& L) const;
   double pattern_area(int triangle) const { return elements_[triangle].area; }
 
+  /// What a side of a triangle (0: vertices 0 and 1, …) transmits across itself to the cloth beyond it.
+  struct SideForce {
+    double length = 0.0;    ///< m, as worn
+    double across = 0.0;    ///< N, along the normal of the side in the cloth, tension positive
+    double along = 0.0;     ///< N, amount along the side
+    double largest = 0.0;   ///< N/m, across, at a point
+  };
+  SideForce side_force(const State& state, const mesh::GarmentMesh& mesh, int triangle, int side) const;
+
  private:
   struct Point {
     Eigen::Matrix<double, 2, 6> gradient;  ///< grad N_a on the pattern, 1/m
@@ -57,16 +70,20 @@ class FabricMembrane : public Term {
   struct Element {
     std::array<int, 6> nodes;              ///< representative nodes
     Eigen::Matrix<double, 2, 6> pattern;   ///< nodes on the pattern, m
+    Eigen::Matrix<double, 1, 6> course;    ///< of the nodes (mesh.course)
     double area = 0.0;                     ///< on the pattern, m2
+    int fabric = 0;
     Eigen::Matrix2d frame;                 ///< columns: warp, weft on the pattern
     std::vector<Point> points;
   };
   NodeVectors<6> positions(const State& state, const Element& element) const;
   static Derivatives<6> derivatives(const Element& element, const Point& point, double load, double& rest_weight);
+  Point point_at(const Element& element, const NodeVectors<6>& placed, const TrianglePoint& q) const;
 
   std::string garment_;
   Field field_;
-  materials::Fabric fabric_;
+  std::vector<materials::Fabric> fabrics_;
+  std::optional<double> prestretch_;
   int order_;                              ///< of the triangles
   double mean_edge_;                       ///< m
   std::vector<Element> elements_;

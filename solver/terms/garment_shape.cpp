@@ -28,6 +28,10 @@ PatternPoint pattern_point(int order, const Eigen::Matrix<double, 2, 6>& nodes, 
   return {dN * tangents.inverse(), 0.5 * tangents.determinant()};
 }
 
+double course_value(const Eigen::Matrix<double, 1, 6>& course, const Eigen::Matrix<double, 6, 1>& N) {
+  return (course.array() == course[0]).all() ? course[0] : course.dot(N);
+}
+
 FlatTriangle flat_triangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   FlatTriangle t;
   const Eigen::Vector2d u = b - a, v = c - a;

@@ -20,6 +20,9 @@ struct PatternPoint {
 };
 PatternPoint pattern_point(int order, const Eigen::Matrix<double, 2, 6>& nodes, const Eigen::Vector3d& L);
 
+/// How long a course is at rest over the pattern (GarmentMesh::course_of) where the shape functions are N; exactly 1 of cloth that is cut.
+double course_value(const Eigen::Matrix<double, 1, 6>& course, const Eigen::Matrix<double, 6, 1>& N);
+
 /// Gradients of L on a straight triangle, 3 x 2 (1/m), and its area (m2, positive for counter-clockwise vertices).
 struct FlatTriangle {
   Eigen::Matrix<double, 3, 2> gradient;

@@ -11,7 +11,7 @@ namespace snug::solver {
 
 TrianglePlace triangle_place(const Eigen::Vector2d& xi) {
   const auto shape = fem::plane_shape<fem::Element::tri6>(xi);
-  return {shape.dN, shape.ddN};
+  return {shape.N, shape.dN, shape.ddN};
 }
 
 ShellPoint shell_point(const TriangleNodes& x, const TrianglePlace& place) {

@@ -19,6 +19,7 @@ using TriangleNodes = Eigen::Matrix<double, 3, 6>;
 
 /// A point of a triangle: derivatives of its shape functions along its coordinates (11, 22, 12 for the second ones).
 struct TrianglePlace {
+  Eigen::Matrix<double, 6, 1> N;
   Eigen::Matrix<double, 6, 2> dN;
   Eigen::Matrix<double, 6, 3> ddN;
 };

@@ -397,6 +397,7 @@ std::vector<Target> targets() {
   for (Target& target : curve_targets()) all.push_back(std::move(target));
   for (Target& target : library_targets()) all.push_back(std::move(target));
   for (Target& target : pattern_targets()) all.push_back(std::move(target));
+  for (Target& target : garment_targets()) all.push_back(std::move(target));
   return all;
 }
 

@@ -35,7 +35,7 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], garment), solver::MasterSurface(layout["body"], body, body.skin_facets)}, 1e6,
                                               solver::GapBasis::hat));
   solver::NodalForces weight(garment.pattern.size(), Eigen::Vector3d::Zero());
-  solver::add_weight(garment, 1.0, {0.0, 0.0, -pressure}, weight);  // Pa of the pattern
+  solver::add_weight(garment, {1.0}, {0.0, 0.0, -pressure}, weight);  // Pa of the pattern
   scene.add(std::make_unique<solver::DeadLoad>("weight of the garment", layout["garment"], weight));
   State state = tests::placed_state(layout, body, garment);
   state.load = 1.0;

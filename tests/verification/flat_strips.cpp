@@ -70,7 +70,7 @@ TEST(FlatStrip, HangingItStretchesUnderItsOwnWeight) {
   Sheet sheet(mapped_sheet(2, 6, [](double u, double v) { return Plane(0.2 * u, -v); }), straight_fabric(k, 0.5 * k));
   sheet.hold({0, 2}, [](const Plane&) { return true; });
   sheet.hold({1}, [](const Plane& x) { return x.y() > -1e-9; });
-  solver::add_weight(sheet.mesh, weight / 9.80665, {0.0, -9.80665, 0.0}, sheet.forces);
+  solver::add_weight(sheet.mesh, {weight / 9.80665}, {0.0, -9.80665, 0.0}, sheet.forces);
   sheet.solve();
   book("3 hanging strip", "elongation, m", -1.0 - sheet.at(sheet.node_at({0.0, -1.0})).y(), 0.0073549875, 1e-6, "w L^2/(2 k), reference book 3");
 }

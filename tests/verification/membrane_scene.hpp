@@ -109,6 +109,7 @@ inline materials::Fabric isotropic(double youngs, double nu) {
 struct Sheet {
   mesh::GarmentMesh mesh;
   materials::Fabric fabric;
+  std::vector<materials::Fabric> zones;  ///< of mesh.triangle_zone
   solver::Layout layout;
   std::vector<int> master;
   solver::NodalForces forces;   ///< dead, at full load
@@ -139,12 +140,19 @@ struct Sheet {
       if (where(mesh.pattern[node]))
         for (const int c : components) master[layout["garment"](node, c)] = -1;
   }
+  std::vector<materials::Fabric> fabrics() const {
+    std::vector<materials::Fabric> all{fabric};
+    all.insert(all.end(), zones.begin(), zones.end());
+    return all;
+  }
   solver::Scene scene() const {
     solver::Scene scene(layout, solver::Numbering(master));
-    auto membrane = std::make_unique<solver::FabricMembrane>("garment", layout["garment"], mesh, fabric);
+    auto membrane = std::make_unique<solver::FabricMembrane>("garment", layout["garment"], mesh, fabrics());
     membrane->set_final_eta(eta);
     scene.add(std::move(membrane));
-    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>("garment", layout["garment"], mesh, fabric.bending));
+    std::vector<materials::BendingStiffness> bending;
+    for (const materials::Fabric& one : fabrics()) bending.push_back(one.bending);
+    if (fabric.bending.warp != 0.0) scene.add(std::make_unique<solver::FabricBending>("garment", layout["garment"], mesh, bending));
     if (pressure != 0.0) {
       auto load = std::make_unique<solver::PressureLoad>(layout["garment"], mesh, -pressure);
       load->hold_border(scene.numbering());

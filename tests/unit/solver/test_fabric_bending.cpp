@@ -43,7 +43,7 @@ Sheet tube(int n, int m) {
 TEST(FabricBending, TangentAndResidualAreDerivativesByRate) {
   // On a sewn tube, dented by 3 % of its radius; the seam's edges among the others.
   const Sheet sheet = tube(6, 2);
-  FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, knit);
+  FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, {knit});
   State state = placed(sheet);
   state.values += random_vector(state.values.size(), 3e-4, 1);
   const Eigen::VectorXd direction = random_vector(state.values.size(), 1.0, 2);
@@ -68,7 +68,7 @@ TEST(FabricBending, TangentAndResidualAreDerivativesByRate) {
 TEST(FabricBending, WithoutTurningNormalsTheTangentOfARolledTubeHasNoNegativeEigenvalueToSpeakOf) {
   // Positive for flat triangles (edge_penalty); neighbours at an angle may take a share of some 1e-8.
   const Sheet sheet = tube(16, 2);
-  const FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, knit);
+  const FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, {knit});
   const auto smallest = [&](solver::Tangent tangent) {
     const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(assemble(bending, placed(sheet), tangent).tangent).eigenvalues();
     return values.minCoeff() / values.maxCoeff();
@@ -79,7 +79,7 @@ TEST(FabricBending, WithoutTurningNormalsTheTangentOfARolledTubeHasNoNegativeEig
 
 TEST(FabricBending, AFlatPieceMovedAsABodyCostsNothing) {
   const Sheet sheet = rectangle(5, 2);
-  const FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, knit);
+  const FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, {knit});
   State state = placed(sheet);
   const Eigen::AngleAxisd turn(2.0, Eigen::Vector3d(1, 2, 3).normalized());
   for (int node = 0; node < sheet.size(); ++node)
@@ -93,7 +93,7 @@ TEST(FabricBending, AnEvenBendCostsWhatOrthotropySaysInEveryDirection) {
   // Along the direction at the angle a to the warp: k11 = k cos^2 a, k22 = k sin^2 a, 2 k12 = 2 k sin a cos a, with twist
   // stiffness sqrt(B1 B2)/2; small slopes, quadratic shape: exact on any mesh, no edge turns.
   const Sheet sheet = rectangle(5, 2);
-  const FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, knit);
+  const FabricBending bending("garment", sheet.layout["garment"], sheet.mesh, {knit});
   const double k = 1e-3;  // 1/m
   for (const double angle : {0.0, 0.3, 0.8, 1.2, 0.5 * std::numbers::pi}) {
     const Plane along(std::cos(0.4 + angle), std::sin(0.4 + angle));
@@ -114,7 +114,7 @@ TEST(FabricBending, ASewnTubeIsBentByItsRoundnessAndTheSeamIsLikeAnyOtherEdge) {
   double before = 0.0;
   for (const int n : {12, 24, 48}) {
     const Sheet sheet = tube(n, n / 3);
-    const double error = FabricBending("garment", sheet.layout["garment"], sheet.mesh, knit).energy(placed(sheet)) / exact - 1.0;
+    const double error = FabricBending("garment", sheet.layout["garment"], sheet.mesh, {knit}).energy(placed(sheet)) / exact - 1.0;
     EXPECT_LT(std::abs(error), 0.5 / n);
     if (before != 0.0) {
       EXPECT_NEAR(before / error, 16.0, 1.5);
@@ -123,7 +123,7 @@ TEST(FabricBending, ASewnTubeIsBentByItsRoundnessAndTheSeamIsLikeAnyOtherEdge) {
   }
   // A turn of the pattern moves the seam, not the shape: the residual keeps the tube's symmetry at seam nodes, too.
   const Sheet sheet = tube(12, 2);
-  const Eigen::VectorXd residual = assemble(FabricBending("garment", sheet.layout["garment"], sheet.mesh, knit), placed(sheet), solver::Tangent::none).residual;
+  const Eigen::VectorXd residual = assemble(FabricBending("garment", sheet.layout["garment"], sheet.mesh, {knit}), placed(sheet), solver::Tangent::none).residual;
   const auto radial = [&](double x) {
     const int node = sheet.node_at({x, 0.01});
     return residual.segment<3>(sheet.layout["garment"](sheet.mesh.merged[node])).dot(sheet.mesh.placed[node].cwiseProduct(Eigen::Vector3d(1, 1, 0)) / r);

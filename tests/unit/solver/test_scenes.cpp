@@ -187,7 +187,7 @@ TEST(Laplace, PressureOnACylinderIsTensionOverRadius) {
   const input::Case c = describe_tube(tube);
   const solver::Meshes meshes = make_meshes(c);
   const auto l0 =
-      solver::laplace_pressure(mesh::tube_fit(c.garments.front()), materials::find_fabric(c.garments.front().fabric), meshes.limb, meshes.body);
+      solver::laplace_pressure(mesh::tube_fit(c.garments.front()), solver::GarmentModel{c.garments.front(), materials::find_fabric(c.garments.front().fabric)}, meshes.limb, meshes.body);
   const double stretch = tube.radius / tube.sleeve;
   const double exact = 1000.0 * stretch * (stretch * stretch - 1.0) / 2.0 / tube.radius;  // 6392.045 Pa
   EXPECT_NEAR(l0.mean, exact, 1e-8 * exact);
