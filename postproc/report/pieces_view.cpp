@@ -21,7 +21,7 @@ struct Shown {
 };
 
 /// The flat pieces on the page: y downwards, `scale` units to a metre.
-struct Sheet {
+struct FlatSheet {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = Eigen::Vector2d::Constant(-1e300);
   double scale = 1.0;
 
@@ -30,8 +30,8 @@ struct Sheet {
   }
 };
 
-Sheet sheet_of(const std::vector<Eigen::Vector2d>& pattern, double width) {
-  Sheet sheet;
+FlatSheet sheet_of(const std::vector<Eigen::Vector2d>& pattern, double width) {
+  FlatSheet sheet;
   for (const Eigen::Vector2d& x : pattern) sheet.low = sheet.low.cwiseMin(x), sheet.high = sheet.high.cwiseMax(x);
   const Eigen::Vector2d size = sheet.high - sheet.low;
   sheet.scale = fine * std::min(width / size.x(), 0.9 * width / size.y());
@@ -104,7 +104,7 @@ std::vector<double> levels(std::vector<double> values) {
 }
 
 /// Corners of the triangles of a band, as one path.
-std::string path_of(const Grid& grid, const std::vector<Eigen::Vector2d>& pattern, const Sheet& sheet, const std::vector<std::size_t>& cells) {
+std::string path_of(const Grid& grid, const std::vector<Eigen::Vector2d>& pattern, const FlatSheet& sheet, const std::vector<std::size_t>& cells) {
   std::string path;
   for (const std::size_t c : cells) {
     const auto nodes = grid.nodes_of(c);
@@ -114,7 +114,7 @@ std::string path_of(const Grid& grid, const std::vector<Eigen::Vector2d>& patter
   return path;
 }
 
-Json drawing_of(const Shown& shown, const Grid& grid, const std::vector<Eigen::Vector2d>& pattern, const Sheet& sheet) {
+Json drawing_of(const Shown& shown, const Grid& grid, const std::vector<Eigen::Vector2d>& pattern, const FlatSheet& sheet) {
   const std::vector<double> level = levels(shown.values);
   const std::size_t count = level.size() - 1;
   std::vector<std::vector<std::size_t>> cells(count);
@@ -133,7 +133,7 @@ Json drawing_of(const Shown& shown, const Grid& grid, const std::vector<Eigen::V
 }
 
 /// Names of the pieces in the middle of each.
-Json labels_of(const Grid& grid, const std::vector<Eigen::Vector2d>& pattern, const Sheet& sheet) {
+Json labels_of(const Grid& grid, const std::vector<Eigen::Vector2d>& pattern, const FlatSheet& sheet) {
   Json labels = Json::array();
   const auto* names = grid.find_names("piece_names");
   const auto* piece = grid.fields.find(field::piece);
@@ -161,7 +161,7 @@ Json pieces_view(const ShownRun& run, double width) {
   const Grid& grid = *run.garment_grid;
   const auto* pattern = grid.fields.find(field::pattern);
   if (!pattern || pattern->size() != grid.points.size() || grid.cells() == 0) return nullptr;
-  const Sheet sheet = sheet_of(*pattern, width);
+  const FlatSheet sheet = sheet_of(*pattern, width);
   if (!std::isfinite(sheet.scale) || !(sheet.scale > 0.0)) return nullptr;
   const Eigen::Vector2i size = sheet.at({sheet.high.x(), sheet.low.y()});
   Json drawings = Json::array();

@@ -123,7 +123,8 @@ Worn graduated(const TubeCase& tube, const std::function<double(double)>& girth)
   return worn;
 }
 
-// p = T cos(a)/r with the tension of one stretch, T = K E(l) l, everywhere; a cylinder's tube could not have it.
+// One stretch l round the cone everywhere, and 1/cos(a) along it, for heights are the limb's: the tension K E(l) l cos(a) presses with its curvature cos(a)/r;
+// a tube of one width could not.
 TEST(Graduated, AMatchingTubeOnAConeIsStretchedAlikeEverywhere) {
   const TubeCase tube = cone();
   const double l = 1.25, T = 500.0 * 0.5 * (l * l - 1.0) * l, slope = 1.0 / std::sqrt(1.0 + tube.taper * tube.taper);
@@ -131,7 +132,7 @@ TEST(Graduated, AMatchingTubeOnAConeIsStretchedAlikeEverywhere) {
   ASSERT_EQ(worn.run.status, postproc::Status::converged) << worn.run.message;
   for (const auto& [from, to] : {std::pair{0.02, 0.04}, std::pair{0.05, 0.07}, std::pair{0.08, 0.10}})
     book("graduated tube on a rigid cone", fmt::format("pressure at {:.0f} mm, Pa", 500.0 * (from + to)), ring_pressure(worn.run, from, to),
-         T * slope / radius_of(tube, 0.5 * (from + to)), 1e-2, "T cos(a)/r");
+         T * slope * slope / radius_of(tube, 0.5 * (from + to)), 1e-2, "K E l cos(a)^2/r");
   ASSERT_EQ(worn.run.pieces.size(), 1u);
   book("graduated tube on a rigid cone", "stretch along the courses", worn.run.pieces.front().stretch_weft, l, 2e-3, "girths of limb and tube");
   double area = 0.0;  // of the cloth: its courses, one by one

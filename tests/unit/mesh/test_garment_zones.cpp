@@ -109,8 +109,8 @@ TEST(GarmentZones, TrianglesKnowTheirPieceAndItsZone) {
   ASSERT_EQ(mesh.seams.size(), 2u);
   const FitRow row = mesh.fit.at(0.15);
   ASSERT_EQ(row.zones.size(), 2u);
-  EXPECT_NEAR(row.zones[0], 0.5, 1e-6);
-  EXPECT_NEAR(row.zones[1], 0.5, 1e-6);
+  EXPECT_NEAR(row.zones[0], 0.5, 2e-3);  // lines of height on triangles of 30 mm
+  EXPECT_NEAR(row.zones[1], 0.5, 2e-3);
 }
 
 TEST(GarmentZones, OfATubeTheyAreHeightsWithSidesOfTrianglesBetween) {

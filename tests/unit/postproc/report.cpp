@@ -12,6 +12,7 @@
 #include "postproc/report/page.hpp"
 #include "postproc/report/template.hpp"
 #include "postproc/report/unrolled.hpp"
+#include "postproc/store.hpp"
 #include "tests/unit/postproc/scene.hpp"
 
 namespace snug::postproc::report {
@@ -242,6 +243,24 @@ TEST(Page, TellsTheTruthAboutTheState) {
   run.status = postproc::Status::converged;
   write_results(run, evaluate(run, trial), folder);
   EXPECT_THAT(page(folder, {}), HasSubstr("id=\"comfort\""));
+}
+
+TEST(Page, DrawsThePiecesFlatAndListsWhatTheyBearAndTheirSeams) {
+  // A square of two triangles, 200 mm wide, is 0.9 of the drawing's 760 px high, in half pixels: 1368; each quantity that is known is one drawing.
+  RunResult run = run_scene();
+  run.garment.parts = {{.name = "vest", .first_node = 0, .end_node = 9, .first_triangle = 0, .end_triangle = 2, .pieces = {"front", "back"}}};
+  run.garment.piece = {0, 1};
+  run.pieces = {{.garment = "vest", .piece = "front", .fabric = "N85L15", .area = 0.02, .weight = 0.0043, .tension_warp = 20.5, .tension_weft = 10.4, .largest_tension = 33.3,
+                 .stretch_warp = 1.1234, .stretch_weft = 1.05}};
+  run.seams = {{.garment = "vest", .seam = "left", .length = 0.31, .line_load = 17.6, .largest = 21.9, .along = 2.22}};
+  run.fit = {{.garment = "vest", .height = 0.0, .body_girth = 0.5, .garment_girth = 0.45}, {.garment = "vest", .height = 0.1, .body_girth = 0.5, .garment_girth = 0.4}};
+  run.profile = {{.garment = "vest", .height = 0.05, .wanted = 2000.0, .found = 1930.0}};
+  const std::string text = page(stored_run(run, {}, {}, "vest"), {{}, "none"});
+  for (const char* what : {"id=\"pieces\"", "vest, front", "N85L15", "200", "4.30", "33.3", "1.123", "vest, left", "17.6", "21.9", "2.22", "310", "96.5", "M0 1368l1368 0 -1368 -1368z",
+                           "M1368 1368l0 -1368 -1368 0z", "<strong>Tension</strong> [N/m]", "<strong>Stretch</strong> [%]", "<strong>Ease</strong> [%]", ">front</text>", ">back</text>"})
+    EXPECT_THAT(text, HasSubstr(what)) << what;
+  run.fit.clear();
+  EXPECT_THAT(page(stored_run(run, {}, {}, "vest"), {{}, "none"}), Not(HasSubstr("<strong>Ease</strong>")));
 }
 
 TEST(Page, GarmentOrBodyMayBeLeftOut) {

@@ -1,0 +1,86 @@
+// Garments of several fabrics and graduated tubes through the program, and the shipped garments at a coarse mesh.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cases/program.hpp"
+
+namespace snug {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Garments : public Program {
+ protected:
+  nlohmann::json summary(const std::string& out) const {
+    std::ifstream file(folder_ / out / "summary.json");
+    return nlohmann::json::parse(file);
+  }
+  static std::string shipped(const std::string& name) { return "'" + (fs::path(SNUG_SOURCE_DIR) / "cases" / name).string() + "'"; }
+  const std::string coarse_ = " --no-report --set body.cells_around=12 --set body.cells_along=10";
+};
+
+TEST_F(Garments, LeggingsWearEachPieceInItsFabric) {
+  // The plan says which piece is of which; the results have their rows, and the stiffer panel is stretched less; weights are area times areal density.
+  const Outcome check = snug("check " + shipped("leggings"));
+  EXPECT_EQ(check.status, 0) << check.text;
+  EXPECT_THAT(check.text, testing::HasSubstr("side: C98L2"));
+  EXPECT_THAT(check.text, testing::HasSubstr("front: N85L15"));
+  const Outcome run = snug("run " + shipped("leggings") + " --out out --set solver.tier=L1" + coarse_);
+  ASSERT_EQ(run.status, 0) << run.text;
+  EXPECT_THAT(run.text, testing::HasSubstr("piece              leggings, side: C98L2"));
+  const nlohmann::json of = summary("out");
+  ASSERT_EQ(of.at("pieces").size(), 4u);
+  const auto& side = of.at("pieces")[0];
+  EXPECT_EQ(side.at("fabric"), "C98L2");
+  for (int p = 1; p < 4; ++p) EXPECT_GT(of.at("pieces")[p].at("stretch_weft").get<double>(), side.at("stretch_weft").get<double>());
+  ASSERT_EQ(of.at("seams").size(), 4u);
+  for (const auto& seam : of.at("seams")) EXPECT_GT(seam.at("line_load_N_per_m").get<double>(), 0.0);
+  // One fabric for all of them, said by the case.
+  const Outcome one = snug("check " + shipped("leggings") + " --set 'garment.zone={ pieces = [\"side\"], fabric = \"N85L15\" }'");
+  EXPECT_EQ(one.status, 0) << one.text;
+  EXPECT_EQ(one.text.find("C98L2"), std::string::npos) << one.text;
+  EXPECT_EQ(one.text.find("fabric of leggings"), std::string::npos) << one.text;
+}
+
+TEST_F(Garments, TheEchoOfTwoFabricsReadsBackToTheSame) {
+  // case.echo.toml beside the case's files gives the same pressures to the last digit.
+  const std::string rigid = " --set solver.tier=L1" + coarse_;
+  ASSERT_EQ(snug("run " + shipped("leggings") + " --out first" + rigid).status, 0);
+  fs::copy(fs::path(SNUG_SOURCE_DIR) / "cases/leggings", folder_ / "again", fs::copy_options::recursive);
+  fs::copy_file(folder_ / "first/case.echo.toml", folder_ / "again/case.toml", fs::copy_options::overwrite_existing);
+  const Outcome again = snug("run again --out second --no-report");
+  ASSERT_EQ(again.status, 0) << again.text;
+  EXPECT_EQ(summary("first").at("numbers").at("mean_contact_pressure_Pa"), summary("second").at("numbers").at("mean_contact_pressure_Pa"));
+}
+
+TEST_F(Garments, TheStockingPressesAsItIsMadeForAndDesignFindsIt) {
+  // Designed anew on a coarse mesh from the law of Laplace, it is within 5 % at every height that it names; the lines printed are a case's.
+  const std::string anew = " --set garment.pattern.circumferences=[]";
+  const Outcome design = snug("design " + shipped("stocking") + " --within 5 --out lines.toml --set body.cells_around=12 --set body.cells_along=16" + anew);
+  ASSERT_EQ(design.status, 0) << design.text;
+  std::ifstream file(folder_ / "lines.toml");
+  const std::string lines{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(lines, testing::HasSubstr("circumferences = [\n  { height = \"0.0 mm\", girth = \""));
+  const Outcome none = snug("design " + shipped("vest"));
+  EXPECT_EQ(none.status, 2);
+  EXPECT_THAT(none.text, testing::HasSubstr("no garment says what pressures it is made for"));
+}
+
+TEST_F(Garments, JeansPressMoreTheStifferTheirDenimAndTheTShirtHangs) {
+  // Two denims on a coarse rigid thigh: the order of their weft moduli (112500 and 48000 kgf/m2) is that of their pressures.
+  double before = 0.0;
+  for (const std::string fabric : {"001-01", "008-01"}) {
+    const Outcome run = snug("run " + shipped("jeans") + " --out out --set solver.tier=L1 --set garment.fabric=" + fabric + coarse_);
+    ASSERT_EQ(run.status, 0) << run.text;
+    const double mean = summary("out").at("numbers").at("mean_contact_pressure_Pa");
+    EXPECT_GT(mean, before);
+    before = mean;
+  }
+  const Outcome shirt = snug("run " + shipped("tshirt") + " --out shirt --set solver.tier=L1" + coarse_);
+  ASSERT_EQ(shirt.status, 0) << shirt.text;
+  EXPECT_LT(summary("shirt").at("balance").at("contact_force_N").get<double>(), 20.0);
+}
+
+}  // namespace
+}  // namespace snug
