@@ -17,7 +17,8 @@ double edge_length(const mesh::GarmentMesh& garment, const std::string& edge);
 
 /// Lets the garment bear on what it meets with a strip of that width (m) along the edge: the weighted gaps of its contact have the
 /// line int Phi_i g b ds beside the area. Without it a band that presses like a line would pull the edge's middle nodes through
-/// the skin: multipliers on vertices weigh the gap of the triangles beside the edge alone.
+/// the skin: multipliers on vertices weigh the gap of the triangles beside the edge alone. The edge's multipliers weigh the line together with
+/// half a cell beside it, so that the edge sinks in by what that half stands off: with the square of the cells, and the more the narrower the band.
 void bear_along(const mesh::GarmentMesh& garment, const std::string& edge, double width, ContactSlave& slave);
 
 /// Line elements on the sides of the triangles along the edge (quadratic like these). With the stretch l = |dx| / dL(s),
