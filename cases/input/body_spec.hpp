@@ -69,14 +69,20 @@ struct LayerSpec {
   }
 };
 
-/// A named patch of skin: sector of angle and range of height. Angles count round the centroid of the section's area at the
-/// point's own height, on every kind of body: 0 = side (+x), 90 deg = front (+y).
+/// A named patch of skin, on every kind of body one of three: a sector of angle and range of height, a landmark with a radius, a polygon.
+/// Angles count round the centroid of the section's area at the point's own height: 0 = side (+x), 90 deg = front (+y).
 struct LocationSpec {
   std::string name;                                              ///< key of the sensation curve, e.g. "Front thigh"
   double from_angle = std::numeric_limits<double>::quiet_NaN();  ///< rad; NaN until it is given
   double to_angle = std::numeric_limits<double>::quiet_NaN();    ///< rad
   std::optional<double> from_height, to_height;                  ///< m
+  std::optional<std::array<double, 3>> limb;                     ///< m, of a sector
+  std::optional<std::array<double, 3>> at;                       ///< m, of a landmark
+  std::optional<double> radius;                                  ///< m
+  std::vector<std::array<double, 3>> polygon;                    ///< m
   Location where = {};
+
+  bool is_sector() const { return !at && polygon.empty(); }
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -87,17 +93,19 @@ struct LocationSpec {
     field(Field{.key = "from_angle",
                 .unit = "rad",
                 .meaning = "begin of the sector, round the middle of the section at each height; 0 deg = side (+x), 90 deg = front (+y)",
-                .required = true,
                 .bound = between(-7, 7)},
           self.from_angle);
     field(Field{.key = "to_angle",
                 .unit = "rad",
                 .meaning = "end of the sector, counter-clockwise from its begin",
-                .required = true,
                 .bound = between(-7, 7)},
           self.to_angle);
     field(Field{.key = "from_height", .unit = "m", .meaning = "lower end; left out: the lower cut"}, self.from_height);
     field(Field{.key = "to_height", .unit = "m", .meaning = "upper end; left out: the upper cut"}, self.to_height);
+    field(Field{.key = "limb", .unit = "m", .meaning = "a point in the limb of the sector, where the body has several: angles count round that one alone"}, self.limb);
+    field(Field{.key = "at", .unit = "m", .meaning = "instead of a sector: a landmark, whose nearest point of the skin is the middle of the patch"}, self.at);
+    field(Field{.key = "radius", .unit = "m", .meaning = "of the patch round a landmark, along the skin", .bound = positive()}, self.radius);
+    field(Field{.key = "polygon", .unit = "m", .meaning = "instead of a sector: landmarks along the border of the patch, in the frame of the body"}, self.polygon);
   }
 };
 
@@ -134,33 +142,104 @@ struct CutPlane {
   }
 };
 
-struct ScanSpec {
-  std::filesystem::path surface;      ///< OBJ, STL or v/f text
-  double unit = 1.0;                  ///< metres per file unit
-  FileAxis up = FileAxis::z, front = FileAxis::y;  ///< that become +z and +y
-  CutPlane lower, upper;              ///< in the file's frame, in metres
-  double smoothing_radius = 0.0;      ///< m; 0 = two cell widths
-  BoneSpec bone;
+/// A cut with a name through one limb of a scan; what hangs on beyond it falls away.
+struct NamedCut {
+  std::string name;
+  std::array<double, 3> point = {0, 0, 0};
+  std::array<double, 3> normal = {0, 0, 1};
+  Location where = {};
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL or v/f text", .required = true},
+    field(Field{.key = "name", .meaning = "name of the cut and of the surface it leaves, e.g. \"waist\" or \"thigh left\"", .required = true}, self.name);
+    field(Field{.key = "point",
+                .unit = "m",
+                .meaning = "a point of the plane, in the file's frame, inside the limb that is cut: other limbs that the plane meets stay whole",
+                .required = true},
+          self.point);
+    field(Field{.key = "normal", .meaning = "direction out of the piece that is kept, in the file's frame", .required = true}, self.normal);
+  }
+};
+
+/// A place where the core of a body lies at another depth.
+struct CorePlace {
+  std::array<double, 3> at = {0, 0, 0};  ///< m, in the file's frame
+  double radius = 0.0;                   ///< m
+  double thickness = 0.0;                ///< m
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "at", .unit = "m", .meaning = "the place, in the file's frame", .required = true}, self.at);
+    field(Field{.key = "radius", .unit = "m", .meaning = "how far it reaches: at this distance two fifths of the difference are left", .required = true, .bound = positive()}, self.radius);
+    field(Field{.key = "thickness", .unit = "m", .meaning = "thickness of all tissue there", .required = true, .bound = positive()}, self.thickness);
+  }
+};
+
+/// What a body of tetrahedra has inside: surfaces of a file, or all that is deeper than the tissue.
+struct CoreSpec {
+  std::filesystem::path surface;
+  std::optional<double> thickness;  ///< m
+  std::vector<CorePlace> places;
+  std::optional<double> cell_size;  ///< m
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "surface", .meaning = "file of closed surfaces (bones), in the scan's unit and axes; or give a thickness"}, self.surface);
+    field(Field{.key = "thickness", .unit = "m", .meaning = "thickness of all tissue between skin and core", .bound = positive()}, self.thickness);
+    field(Field{.key = "place", .meaning = "places with another thickness", .one_or_more = true}, self.places);
+    field(Field{.key = "cell_size", .unit = "m", .meaning = "edges of the cells at the core; left out: 1.5 times those of the skin", .bound = positive()}, self.cell_size);
+  }
+};
+
+/// What a scan becomes.
+enum class ScanCells { automatic, hexahedra, tetrahedra };
+constexpr auto texts_of(ScanCells) { return std::array{"auto", "hexahedra", "tetrahedra"}; }
+
+struct ScanSpec {
+  std::filesystem::path surface;      ///< OBJ, STL, PLY, OFF or v/f text
+  std::optional<double> unit;         ///< metres per file unit; guessed from the size where it is left out
+  FileAxis up = FileAxis::z, front = FileAxis::y;  ///< that become +z and +y
+  std::optional<CutPlane> lower, upper;  ///< in the file's frame, in metres; used where `cuts` is empty
+  std::vector<NamedCut> cuts;
+  double smoothing_radius = 0.0;      ///< m; 0 = two cell widths of hexahedra, one of tetrahedra
+  std::optional<BoneSpec> bone;
+  std::optional<CoreSpec> core;
+  ScanCells cells = ScanCells::automatic;
+  double cell_size = 0.0;             ///< m, edges of tetrahedra at the skin; 0 = the girth of the narrowest cut / 32
+  double fill_holes = 0.03;           ///< m, largest diameter
+  double wrap = 0.0;                  ///< m, gaps narrower than this are bridged; 0 = only where the scan cuts itself too badly
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL, PLY, OFF or v/f text", .required = true},
           self.surface);
     field(Field{.key = "unit",
                 .unit = "m",
-                .meaning = "length of one unit of the file, e.g. \"1 mm\"",
+                .meaning = "length of one unit of the file, e.g. \"1 mm\"; left out: m, cm or mm, whichever makes the size that of a body",
                 .bound = positive()},
           self.unit);
     field(Field{.key = "up", .meaning = "axis of the file that points up"}, self.up);
     field(Field{.key = "front", .meaning = "axis of the file that points to the front"}, self.front);
-    field(Field{.key = "lower", .meaning = "plane of the lower cut", .required = true}, self.lower);
-    field(Field{.key = "upper", .meaning = "plane of the upper cut", .required = true}, self.upper);
+    field(Field{.key = "lower", .meaning = "plane of the lower cut; with upper, of one limb; or name the cuts: [[body.scan.cut]]"}, self.lower);
+    field(Field{.key = "upper", .meaning = "plane of the upper cut"}, self.upper);
     field(Field{.key = "smoothing_radius",
                 .unit = "m",
-                .meaning = "noise shorter than this is smoothed; 0 m: two cell widths",
+                .meaning = "noise shorter than this is smoothed; 0 m: two cell widths of hexahedra, one of tetrahedra",
                 .bound = non_negative()},
           self.smoothing_radius);
-    field(Field{.key = "bone", .meaning = "outline of the bone", .required = true}, self.bone);
+    field(Field{.key = "cut", .meaning = "planes with names that part the body from what is not meshed", .one_or_more = true}, self.cuts);
+    field(Field{.key = "bone", .meaning = "outline of the bone of one limb"}, self.bone);
+    field(Field{.key = "core", .meaning = "what a body of tetrahedra has inside; left out: the bone's outline, where that is given"}, self.core);
+    field(Field{.key = "cells",
+                .meaning = "auto: hexahedra where one limb lies between two cuts and has a bone outline, tetrahedra otherwise, for bodies that branch"},
+          self.cells);
+    field(Field{.key = "cell_size", .unit = "m", .meaning = "edges of tetrahedra at the skin; 0 m: the girth of the narrowest cut / 32", .bound = non_negative()}, self.cell_size);
+    field(Field{.key = "fill_holes", .unit = "m", .meaning = "holes up to this diameter are filled", .bound = non_negative()}, self.fill_holes);
+    field(Field{.key = "wrap",
+                .unit = "m",
+                .meaning = "the surface is wrapped (gaps narrower than this are bridged) and drawn back on the scan; 0 m: only where it cuts itself so that nothing else helps",
+                .bound = non_negative()},
+          self.wrap);
   }
 };
 

@@ -79,8 +79,22 @@ void check_names(const BodySpec& body, Diagnostics& diagnostics) {
                         "give each location its own name");
 }
 
+/// Of the three kinds of patch exactly one is given, and whole.
+void check_patch(const LocationSpec& location, Diagnostics& diagnostics) {
+  const bool angles = !std::isnan(location.from_angle) || !std::isnan(location.to_angle);
+  const int kinds = (angles || location.limb ? 1 : 0) + (location.at ? 1 : 0) + (location.polygon.empty() ? 0 : 1);
+  const auto refuse = [&](const std::string& found, const std::string& remedy) { diagnostics.error(location.where, fmt::format("\"{}\" {}", location.name, found), remedy); };
+  if (kinds != 1)
+    return refuse(kinds == 0 ? "has no patch" : "has patches of several kinds", "give one: from_angle and to_angle, or at and radius, or polygon");
+  if (location.is_sector() && (std::isnan(location.from_angle) || std::isnan(location.to_angle))) refuse("has half a sector", "add from_angle and to_angle");
+  if (location.at && !location.radius) refuse("has a landmark and no radius", "add radius = \"30 mm\"");
+  if (!location.at && location.radius) refuse("has a radius and no landmark", "add at = [x, y, z], a point of the skin");
+  if (!location.polygon.empty() && location.polygon.size() < 3) refuse("has a polygon of fewer than three landmarks", "add landmarks along its border");
+}
+
 void check_locations(const BodySpec& body, Diagnostics& diagnostics) {
   for (const LocationSpec& location : body.locations) {
+    check_patch(location, diagnostics);
     const double sector = location.to_angle - location.from_angle;
     if (!std::isnan(sector) && !(sector > 0.0 && sector <= 2.0 * std::numbers::pi + 1e-12))
       diagnostics.error(
@@ -100,7 +114,7 @@ void check_kind(const BodySpec& body, const Table& table, Diagnostics& diagnosti
   };
   const std::vector<Kind> kinds = {
       {BodyKind::stations, "stations", "stations", "name the CSV file of the girths: stations = \"body/limb.csv\""},
-      {BodyKind::scan, "scan", "a section [body.scan]", "add [body.scan] with surface, lower, upper and bone"},
+      {BodyKind::scan, "scan", "a section [body.scan]", "add [body.scan] with surface, and lower, upper and bone or [[body.scan.cut]] and core"},
       {BodyKind::imported, "mesh", "a mesh", "name its file (.msh, .cdb, .inp): mesh = \"body/limb.msh\""}};
   for (const Kind& kind : kinds) {
     if (kind.kind == body.kind && !table.find(kind.key))
@@ -126,6 +140,29 @@ void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagn
                         "leave it out; hold surfaces of the mesh with [[support]]");
 }
 
+/// Cuts by the names lower and upper belong to one limb of hexahedra or tetrahedra, those of the list to anything.
+void check_scan(const ScanSpec& scan, const Table& table, Diagnostics& diagnostics) {
+  const Location where = table.where;
+  const bool lower = table.find("lower"), upper = table.find("upper");
+  if (scan.cuts.empty() && !(lower && upper))
+    diagnostics.error(where, "the scan has no cuts", "add lower and upper for one limb, or [[body.scan.cut]] with name, point and normal");
+  if (!scan.cuts.empty() && (lower || upper))
+    diagnostics.error(table.where_is(lower ? "lower" : "upper"), "the scan has named cuts and lower or upper", "name all of them: [[body.scan.cut]]");
+  std::set<std::string> seen = {"skin", "bone"};
+  for (const NamedCut& cut : scan.cuts) {
+    if (!cut.name.empty() && !seen.insert(cut.name).second)
+      diagnostics.error(cut.where, fmt::format("the name \"{}\" of a cut is taken", cut.name), "give each cut its own name; skin and bone are surfaces of the body");
+    if (cut.normal == std::array<double, 3>{0, 0, 0})
+      diagnostics.error(cut.where, fmt::format("the normal of \"{}\" has no length", cut.name), "write the direction out of the piece that is kept");
+  }
+  if (!scan.bone && !scan.core)
+    diagnostics.error(where, "the scan has neither bone nor core", "add bone = { girth = \"90 mm\" } for a limb, or core = { thickness = \"30 mm\" }");
+  if (scan.cells == ScanCells::hexahedra && !scan.bone)
+    diagnostics.error(where, "hexahedra need the outline of a bone", "add bone = { girth = \"90 mm\" }, or write cells = \"tetrahedra\"");
+  if (scan.core && scan.core->surface.empty() == !scan.core->thickness)
+    diagnostics.error(table.where_is("core"), "the core has a surface and a thickness, or neither", "give one of the two");
+}
+
 void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnostics) {
   check_kind(body, table, diagnostics);
   check_names(body, diagnostics);
@@ -137,6 +174,8 @@ void check_body(const BodySpec& body, const Table& table, Diagnostics& diagnosti
     return diagnostics.error(table.find("layers") ? table.where_is("layers") : body.where, "the body has no layers",
                              "list them from the inside out, the bone first");
   if (body.kind == BodyKind::imported) return check_imported(body, table, diagnostics);
+  const Table* scan = table.table("scan");
+  if (body.kind == BodyKind::scan && body.scan && scan) check_scan(*body.scan, *scan, diagnostics);
   check_layer_order(body.layers, diagnostics);
   check_thicknesses(body, diagnostics);
 }

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace snug::input {
 
 std::optional<Value> Echo::value_of(const Field& field, double member) const {
+  if (std::isnan(member)) return std::nullopt;
   if (field.unit.empty()) return value_without_place(member);
   return value_without_place(
       fmt::format("{} {}", member, field.unit));  // shortest text that reads back to the same number

@@ -79,6 +79,7 @@ void collect_surfaces(const Lattice& lattice, const Grid& grid, BodyMesh& mesh) 
 }
 
 bool in_sector(double angle, const input::LocationSpec& location) {
+  if (!location.is_sector()) return false;
   constexpr double tolerance = 1e-9;  // nodes on a border must not fall to either side by round-off
   const auto wrap = [](double a) { return a - full_turn * std::floor(a / full_turn); };
   const double width = location.to_angle - location.from_angle;

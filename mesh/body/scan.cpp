@@ -157,7 +157,7 @@ Limb limb_from_skin(const BodyMesh& body, double lower, double upper, const Loca
   if (body.skin_facets.empty())
     throw InputError(where, "the mesh has no surface \"skin\" for a garment to touch",
                      "name the outer surface \"skin\" in gmsh (Physical Surface)");
-  OrientedScan scan{triangulated(body), {}, {}};
+  OrientedScan scan{triangulated(body), {}, {}, {}};
   const HeightRange closed = closed_range(scan.surface);
   const double hair = 1e-6 * body.mean_skin_cell;  // a section exactly through the nodes of a cut end may be open
   Limb limb;
@@ -187,11 +187,12 @@ Limb limb_from_scan(const input::BodySpec& spec) {
 
   Limb limb;
   limb.skin = std::make_unique<FourierOutline>(VectorSpline(sections.z0, sections.dz, coefficients));
-  limb.bone = bone_along(coefficients, sections, spec.scan->bone, spec.where);
+  limb.bone = bone_along(coefficients, sections, spec.scan->bone.value_or(input::BoneSpec{}), spec.where);
   limb.lower = scan.lower.z();
   limb.upper = scan.upper.z();
   limb.residual = residual_of(limb, coefficients, sections);
   limb.residual.smoothing_radius = radius;
+  for (const std::string& said : scan.said) limb.remarks.push_back({{spec.scan->surface.string()}, said, "write unit = \"1 mm\", or as it is"});
   check_bone_inside(limb, spec.where);
   return limb;
 }

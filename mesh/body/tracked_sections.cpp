@@ -1,12 +1,13 @@
 #include "mesh/body/tracked_sections.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+
+#include "mesh/body/scan_surface.hpp"
 
 namespace snug::mesh {
 
@@ -14,22 +15,6 @@ namespace {
 
 using input::InputError;
 using input::Location;
-
-Eigen::Vector3d direction(input::FileAxis axis) {
-  const int n = static_cast<int>(axis);
-  return (n < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(n % 3);
-}
-
-/// Rows: the body's x (side), y (front) and z (up) in the axes of the file.
-Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where) {
-  const Eigen::Vector3d up = direction(spec.up), front = direction(spec.front);
-  if (std::abs(up.dot(front)) > 0.5)
-    throw InputError(where, fmt::format("up = \"{}\" and front = \"{}\" lie along one axis", text_of(spec.up), text_of(spec.front)),
-                     "name the file's axes that point up and to the front of the body");
-  Eigen::Matrix3d rotation;
-  rotation << front.cross(up).transpose(), front.transpose(), up.transpose();
-  return rotation;
-}
 
 void check_plane(const Eigen::Vector3d& normal, const char* name, const Location& where) {
   const double upright = std::abs(normal.z()) / std::max(normal.norm(), 1e-300);
@@ -88,16 +73,14 @@ std::vector<SectionLoop> between(const OrientedScan& scan, double dz, int steps,
 }  // namespace
 
 OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
-  if (!(spec.unit > 0.0))
-    throw InputError(where, fmt::format("the scan's unit is {:g} m", spec.unit), "write unit = \"1 mm\"");
-  const Eigen::Matrix3d rotation = file_to_body(spec, where);
+  if (!spec.lower || !spec.upper) throw InputError(where, "the limb has no lower and upper cut", "add lower and upper to [body.scan]");
+  ScanSurface read = read_scan_surface(spec, where);
   const auto turned = [&](const std::array<double, 3>& v) -> Eigen::Vector3d {
-    return rotation * Eigen::Vector3d(v[0], v[1], v[2]);
+    return read.to_body * Eigen::Vector3d(v[0], v[1], v[2]);
   };
-  check_plane(turned(spec.lower.normal), "lower", where);
-  check_plane(turned(spec.upper.normal), "upper", where);
-  OrientedScan scan{read_surface(spec.surface), turned(spec.lower.point), turned(spec.upper.point)};
-  for (auto& vertex : scan.surface.vertices) vertex = rotation * (spec.unit * vertex);
+  check_plane(turned(spec.lower->normal), "lower", where);
+  check_plane(turned(spec.upper->normal), "upper", where);
+  OrientedScan scan{std::move(read.surface), turned(spec.lower->point), turned(spec.upper->point), std::move(read.said)};
   if (!(scan.upper.z() > scan.lower.z()))
     throw InputError(where,
                      fmt::format("the upper cut plane (height {:.1f} mm) is not above the lower one ({:.1f} mm)",

@@ -1,6 +1,7 @@
 // The sections of one limb of a scan, followed from the lower cut plane to the upper one.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mesh/body/limb.hpp"
@@ -13,6 +14,7 @@ namespace snug::mesh {
 struct OrientedScan {
   TriangleSurface surface;
   Eigen::Vector3d lower, upper;
+  std::vector<std::string> said = {};  ///< what was guessed
 };
 
 /// Reads the surface of `spec` and turns its axes. Throws input::InputError: no such file, up and front not two

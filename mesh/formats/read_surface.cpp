@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "cases/input/files.hpp"
-#include "mesh/formats/triangle_surface.hpp"
+#include "mesh/formats/surface_readers.hpp"
 
 namespace snug::mesh {
 
@@ -79,7 +79,7 @@ class VertexFaceReader {
     const std::string_view key = line.words[0].text;
     if (key == "v") {
       surface_.vertices.push_back(point_at(line));
-    } else if (key == "f") {
+    } else if (key == "f" || key == "fo") {  // fo: of version 2
       add_face(line);
     } else if (!ignored(key)) {
       throw InputError(line.at(0), fmt::format("\"{}\" begins no record of an OBJ or v/f file", key),
@@ -99,8 +99,9 @@ class VertexFaceReader {
 
  private:
   static bool ignored(std::string_view key) {
-    static constexpr std::array<std::string_view, 13> keys = {"vn",     "vt", "vp", "g",     "o",   "s", "usemtl",
-                                                              "mtllib", "l",  "p",  "begin", "end", "mg"};
+    // of the format's reference: normals, textures, groups, looks, lines and points
+    static constexpr std::array<std::string_view, 24> keys = {"vn",     "vt",     "vp",    "g",        "o",        "s",   "usemtl",     "mtllib",    "l",     "p",     "begin", "end",
+                                                              "mg",     "usemap", "maplib", "bevel",   "c_interp", "lod", "d_interp",   "shadow_obj", "trace_obj", "ctech", "stech", "call"};
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   }
 
@@ -212,13 +213,15 @@ bool is_text_stl(const std::string& content) {
 }
 
 TriangleSurface read_any(const std::string& content, const std::string& file) {
+  if (is_ply(content)) return parse_ply(content, file);
+  if (is_off(content)) return parse_off(content, file);
   if (is_binary_stl(content)) return read_binary_stl(content, file);
   if (is_text_stl(content)) return read_text<StlTextReader>(content, file);
   if (content.find('\0') != std::string::npos)
     throw InputError({file}, content.size() > stl_head ? fmt::format("the file is neither text nor a complete binary STL: it announces {} facets and has room for {}",
                                                                      announced_facets(content), (content.size() - stl_head) / stl_facet)
                                                        : "the file is neither text nor a complete binary STL",
-                     "write it again as OBJ, STL or v/f text");
+                     "write it again as OBJ, STL, PLY or OFF");
   return read_text<VertexFaceReader>(content, file);
 }
 
@@ -228,7 +231,7 @@ TriangleSurface read_surface(const std::filesystem::path& path) {
   const std::string file = path.string();
   TriangleSurface surface = seams_closed(weld(read_any(input::read_file(path), file)));
   if (surface.triangles.empty())
-    throw InputError({file}, "the file holds no triangles", "give a surface as OBJ, STL or v/f text");
+    throw InputError({file}, "the file holds no triangles", "give a surface as OBJ, STL, PLY or OFF");
   return surface;
 }
 

@@ -18,7 +18,7 @@ struct TriangleSurface {
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// Reads OBJ, STL (text or binary) or plain text of `v x y z` and `f a b c` lines between `begin` and `end`; which one
+/// Reads OBJ, STL (text or binary), PLY, OFF or plain text of `v x y z` and `f a b c` lines between `begin` and `end`; which one
 /// is told by the content, not by the name. Polygons are cut into fans, coincident vertices are welded and collapsed
 /// triangles dropped. Throws input::InputError with file, line and remedy.
 TriangleSurface read_surface(const std::filesystem::path& path);

@@ -46,6 +46,23 @@ std::string girths_text(const mesh::Limb& limb) {
                             limb.residual.rms * 1e3, limb.residual.max * 1e3);
 }
 
+/// What was done with a scan of a body of tetrahedra.
+std::string scan_text(const mesh::ScanReport& scan) {
+  std::string text = "scan\n";
+  for (const std::string& said : scan.said) text += "  " + said + "\n";
+  if (scan.cuts.empty()) return text + "\n";
+  text += fmt::format("  {:<20} {:>12} {:>12} {:>12}\n", "cut", "scan [mm]", "girth [mm]", "area [cm2]");
+  for (const mesh::CutRow& cut : scan.cuts) text += fmt::format("  {:<20} {:>12.1f} {:>12.1f} {:>12.1f}\n", cut.name, cut.girth_of_scan * 1e3, cut.girth * 1e3, cut.area * 1e4);
+  text += fmt::format("  {:<20} {:>12} {:>12} {:>12}\n", "height [mm]", "scan [mm]", "girth [mm]", "outlines");
+  for (const mesh::SectionRow& row : scan.sections)
+    text += fmt::format("  {:<20.0f} {:>12.1f} {:>12.1f} {:>12}\n", row.height * 1e3, row.girth_of_scan * 1e3, row.girth * 1e3, row.limbs);
+  text += fmt::format("  volume between the cuts {:.1f} ml, of the scan {:.1f} ml ({:+.2f} %)\n", scan.volume * 1e6, scan.volume_of_scan * 1e6, 100.0 * (scan.volume / scan.volume_of_scan - 1.0));
+  text += fmt::format("  skin: {} triangles of {:.1f} mm, smoothed over {:.1f} mm: {:.2f} mm rms from the scan, {:.2f} mm at most\n", scan.skin_triangles, scan.cell_size * 1e3,
+                      scan.smoothing_radius * 1e3, scan.deviation_rms * 1e3, scan.deviation_max * 1e3);
+  if (scan.skin_on_facets > 0) text += fmt::format("  {} nodes of it stayed on the scan's facets: smoothed they would cut each other\n", scan.skin_on_facets);
+  return text + "\n";
+}
+
 /// The garment against the mean girth it covers, as placed.
 std::string ease_text(const PreparedCase& prepared, const mesh::GarmentMesh& garment) {
   const mesh::MeanFit mean = mesh::mean_fit(garment.fit, prepared.meshes.limb);
@@ -72,7 +89,8 @@ std::string fit_text(const mesh::GarmentFit& fit, const mesh::Limb& limb) {
 
 std::string quality_text(const PreparedCase& prepared) {
   std::string text;
-  if (prepared.description.body && prepared.description.body->kind == input::BodyKind::scan) text += girths_text(prepared.meshes.limb);
+  if (!prepared.meshes.scan.empty()) text += scan_text(prepared.meshes.scan);
+  if (prepared.description.body && prepared.description.body->kind == input::BodyKind::scan && prepared.meshes.limb.bone) text += girths_text(prepared.meshes.limb);
   text += fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells", "min jacobian",
                       "mean jacobian", "aspect", "volume [ml]");
   for (const mesh::QualityRow& row : prepared.quality)

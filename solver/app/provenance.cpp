@@ -29,6 +29,7 @@ std::vector<fs::path> input_files(const input::Case& description) {
   if (description.body && !description.body->stations.empty()) files.push_back(description.body->stations);
   if (description.body && !description.body->mesh.empty()) files.push_back(description.body->mesh);
   if (description.body && description.body->scan) files.push_back(description.body->scan->surface);
+  if (description.body && description.body->scan && description.body->scan->core) files.push_back(description.body->scan->core->surface);
   if (const auto& reference = description.reference) {
     if (reference->displacement) files.push_back(reference->displacement->file);
     if (reference->stress) files.push_back(reference->stress->file);

@@ -24,7 +24,7 @@ class Checks {
 
   std::vector<Diagnostic> operator()() {
     if (case_.body && case_.body->kind != input::BodyKind::stations) check_size();
-    if (case_.body && case_.body->kind == input::BodyKind::scan) check_shape();
+    if (case_.body && case_.body->kind == input::BodyKind::scan && meshes_.limb.bone) check_shape();
     if (meshes_.limb.skin)
       for (std::size_t g = 0; g < fits_.size(); ++g) check_fit(case_.garments[g], fits_[g]);
     for (const GarmentModel& garment : model_.garments) {
@@ -47,7 +47,7 @@ class Checks {
     for (const Eigen::Vector3d& x : meshes_.body.nodes) low = low.cwiseMin(x), high = high.cwiseMax(x);
     const double size = (high - low).maxCoeff();
     if (meshes_.body.nodes.empty() || (size >= smallest_part && size <= largest_part)) return;
-    const double unit = case_.body->kind == input::BodyKind::scan ? case_.body->scan->unit : case_.body->unit;
+    const double unit = case_.body->kind == input::BodyKind::scan ? case_.body->scan->unit.value_or(1.0) : case_.body->unit;
     std::string remedy = "look at its unit";
     for (const auto& [name, other] : {std::pair{"1 mm", 1e-3}, std::pair{"1 cm", 1e-2}, std::pair{"1 m", 1.0}})
       if (const double then = size / unit * other; then > 0.02 && then < largest_part && other != unit) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/body/branching_body.hpp"
 #include "mesh/body/foreign.hpp"
 #include "mesh/body/import.hpp"
 #include "mesh/body/import_shell.hpp"
@@ -63,6 +64,22 @@ void check_skin(const input::Case& description, const mesh::BodyMesh& body) {
                           fmt::format("name the physical surface so; its surfaces are: {}", names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
+/// A scan becomes hexahedra or tetrahedra; the report says which and why.
+void make_scan(const input::BodySpec& spec, const std::vector<mesh::GarmentCut>& cuts, Meshes& meshes) {
+  const mesh::CellChoice choice = mesh::choose_cells(spec);
+  if (choice.tetrahedra) {
+    mesh::ScannedBody scanned = mesh::body_from_scan(spec);
+    meshes.body = std::move(scanned.mesh), meshes.scan = std::move(scanned.report);
+    if (!cuts.empty()) meshes.limb = limb_below(cuts, meshes.body);
+  } else {
+    const input::BodySpec limb = mesh::with_lower_and_upper(spec);
+    meshes.limb = mesh::make_limb(limb);
+    meshes.body = mesh::make_body_mesh(limb, meshes.limb);
+    mesh::name_cuts(spec, meshes.body);
+  }
+  meshes.scan.said.insert(meshes.scan.said.begin(), fmt::format("{}: {}", choice.tetrahedra ? "tetrahedra" : "hexahedra", choice.reason));
+}
+
 Meshes make_body(const input::Case& description, const std::vector<mesh::GarmentCut>& cuts, const mesh::GmshOptions& gmsh, double memory_limit) {
   Meshes meshes;
   if (!description.body) return meshes;
@@ -73,6 +90,9 @@ Meshes make_body(const input::Case& description, const std::vector<mesh::Garment
     check_skin(description, meshes.body);
     if (!cuts.empty() && !meshes.body.shell.empty()) mesh::turn_skin_outwards(meshes.body);
     if (!cuts.empty()) meshes.limb = limb_below(cuts, meshes.body);
+  } else if (description.body->kind == input::BodyKind::scan) {
+    refuse_large_body(description, memory_limit);
+    make_scan(*description.body, cuts, meshes);
   } else {
     refuse_large_body(description, memory_limit);
     meshes.limb = mesh::make_limb(*description.body);

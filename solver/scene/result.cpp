@@ -182,6 +182,11 @@ void fill_reactions(const Scene& scene, const State& state, const std::vector<me
     }
     note(table.holders()[h].name, sum);
   }
+  for (const Supports::TiltedCut& cut : scene.supports().tilted_cuts()) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int first : cut.first) answer(first, residual.segment<3>(first), sum);
+    note(cut.name, sum);
+  }
   for (const mesh::GarmentMesh& garment : garments) {
     std::set<int> seen;
     for (const std::string& name : shortest_first(garment.edges)) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
+#include "mesh/body/scan_report.hpp"
 #include "mesh/garment/garment_mesh.hpp"
 #include "postproc/result.hpp"
 #include "solver/scene/model.hpp"
@@ -48,6 +49,7 @@ struct Meshes {
   mesh::Limb limb;
   mesh::BodyMesh body;
   std::vector<mesh::GarmentMesh> garments;  ///< in the order of the case
+  mesh::ScanReport scan;                    ///< of a body of tetrahedra from a scan
 };
 
 /// Parts of the scene with their unknowns, known before anything is solved.

@@ -1,5 +1,6 @@
 #include "solver/scene/supports.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -23,6 +24,21 @@ bool held_by_garment(const Model& model) {
     return std::any_of(held.begin(), held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::all; });
   });
 }
+
+namespace {
+
+/// Of a flat surface, by the largest triangle of three of its nodes with the first.
+Eigen::Vector3d plane_normal(const mesh::Surface& surface, const mesh::BodyMesh& body) {
+  const Eigen::Vector3d& first = body.nodes[surface.nodes.front()];
+  const auto farthest = [&](auto measure) {
+    return *std::max_element(surface.nodes.begin(), surface.nodes.end(), [&](int a, int b) { return measure(body.nodes[a]) < measure(body.nodes[b]); });
+  };
+  const Eigen::Vector3d along = body.nodes[farthest([&](const auto& x) { return (x - first).norm(); })] - first;
+  const auto across = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d { return along.cross(x - first); };
+  return across(body.nodes[farthest([&](const auto& x) { return across(x).norm(); })]).normalized();
+}
+
+}  // namespace
 
 Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]), table_(layout.size()) {
   const input::Case& description = model.asked;
@@ -50,9 +66,39 @@ void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::S
   };
   bone_.insert(body.bone_nodes.begin(), body.bone_nodes.end());
   fix("bone", "bone", body.bone_nodes, 0);
+  if (spec.kind == input::BodyKind::imported || spec.ends == input::Ends::free) return;
   for (const char* surface : {"lower", "upper"})
-    if (const auto* cut = body.surface(surface); cut && spec.kind != input::BodyKind::imported && spec.ends != input::Ends::free)
-      fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == input::Ends::fixed ? 0 : 2);
+    if (const auto* cut = body.surface(surface)) fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == input::Ends::fixed ? 0 : 2);
+  if (!spec.scan) return;
+  for (const input::NamedCut& cut : spec.scan->cuts) {
+    const mesh::Surface* surface = body.surface(cut.name);
+    if (!surface) continue;
+    if (spec.ends == input::Ends::fixed) fix("cut \"" + cut.name + "\"", cut.name, surface->nodes, 0);
+    else slide(cut.name, *surface, supports, body);
+  }
+}
+
+/// Nodes stay in the plane of a cut. Across an axis that is a component; in a tilted plane the component nearest to its normal follows the two others.
+void Supports::slide(const std::string& name, const mesh::Surface& cut, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body) {
+  if (std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.on == name && (s.x || s.y || s.z); })) return;
+  const Eigen::Vector3d normal = plane_normal(cut, body);
+  int across = 0;
+  const double most = normal.cwiseAbs().maxCoeff(&across);
+  if (most > 1.0 - 1e-9) {
+    const int holder = table_.add({"cut \"" + name + "\""});
+    for (const int node : cut.nodes)
+      if (!bone_.contains(node)) prescribe(node, across, holder, {}, body);
+    return;
+  }
+  TiltedCut& tilted = tilted_.emplace_back(TiltedCut{"cut \"" + name + "\"", {}});
+  for (const int node : cut.nodes) {
+    if (bone_.contains(node)) continue;
+    tilted.first.push_back(body_(node, 0));
+    std::vector<Follow> others;
+    for (const int c : {(across + 1) % 3, (across + 2) % 3})
+      if (normal[c] != 0.0) others.push_back({body_(node, c), -normal[c] / normal[across]});
+    table_.bind(body_(node, across), others);
+  }
 }
 
 void Supports::hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body) {

@@ -17,7 +17,7 @@ namespace snug::solver {
 /// The surface that a load or support of the case names. Throws input::InputError with the names that there are.
 const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where);
 
-/// The prescribed entries of the body and where they stand at a load: "bone", "lower cut", "upper cut", what the file holds, the
+/// The prescribed entries of the body and where they stand at a load: "bone", "lower cut", "upper cut", cuts by their names, what the file holds, the
 /// supports of the case by their surfaces. What bone and cuts hold by themselves gives way to a support
 /// of the case on the same surface. Nodes of the rigid bone are the bone's: other surfaces that end there leave them to it. Where several hold a component alike they bear the same of its force; where they do not,
 /// the constructor throws input::InputError (constraint_table.hpp). Parts of the body that these leave free to move as a whole are
@@ -35,12 +35,19 @@ class Supports {
   Eigen::VectorXd gap(const State& state) const { return table_.gap(state.values, state.load); }
   /// The parts that only such supports keep from moving.
   const std::vector<FreePart>& free_parts() const { return free_; }
+  /// Cuts whose nodes slide in a tilted plane: the whole residual of such a node (its x entry) is what the plane answers.
+  struct TiltedCut {
+    std::string name;
+    std::vector<int> first;
+  };
+  const std::vector<TiltedCut>& tilted_cuts() const { return tilted_; }
   /// Entries that hold them.
   const std::vector<int>& free_entries() const { return free_entries_; }
 
  private:
   void prescribe(int node, int component, int holder, const Motion& motion, const mesh::BodyMesh& body);
   void hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body);
+  void slide(const std::string& name, const mesh::Surface& cut, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body);
   void hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body);
   void hold(const input::SupportSpec& spec, const mesh::BodyMesh& body);
   void hold_free_motions(const mesh::BodyMesh& body);
@@ -50,6 +57,7 @@ class Supports {
   ConstraintTable table_{0};
   std::vector<FreePart> free_;
   std::vector<int> free_entries_;
+  std::vector<TiltedCut> tilted_;
 };
 
 /// Parts of the body that no support of the case holds can be in equilibrium only under forces (N, one a node of the body)

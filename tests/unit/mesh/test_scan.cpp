@@ -38,10 +38,10 @@ class ScanFile {
     spec.scan->surface = path;
     spec.scan->up = input::FileAxis::y;
     spec.scan->front = input::FileAxis::z;
-    spec.scan->lower = {{0, 0.1, 0}, {0, -1, 0}};
-    spec.scan->upper = {{0, 0.3, 0}, {0, 1, 0}};
+    spec.scan->lower = input::CutPlane{{0, 0.1, 0}, {0, -1, 0}};
+    spec.scan->upper = input::CutPlane{{0, 0.3, 0}, {0, 1, 0}};
     spec.scan->smoothing_radius = 0.01;
-    spec.scan->bone.girth = 0.09;
+    spec.scan->bone = input::BoneSpec{.girth = 0.09};
     return spec;
   }
   const std::filesystem::path path;
@@ -144,12 +144,12 @@ TEST(Scan, NoiseOfHalfAMillimetreIsFilteredOutOfTheCurvature) {
 TEST(Scan, TheLegNearestToTheCutPlanesPointIsTaken) {
   const ScanFile file({round_tube(0.05, 0.08), round_tube(0.04, -0.08)});
   input::BodySpec spec = file.spec();
-  spec.scan->lower.point = {-0.1, 0.1, 0};  // file x is the body's -x
-  spec.scan->upper.point = {-0.1, 0.3, 0};
+  spec.scan->lower->point = {-0.1, 0.1, 0};  // file x is the body's -x
+  spec.scan->upper->point = {-0.1, 0.3, 0};
   EXPECT_NEAR(make_limb(spec).girth(0.2) / (2 * pi * 0.05), 1.0, 1e-3);
-  spec.scan->lower.point[0] = spec.scan->upper.point[0] = 0.1;
+  spec.scan->lower->point[0] = spec.scan->upper->point[0] = 0.1;
   EXPECT_NEAR(make_limb(spec).girth(0.2) / (2 * pi * 0.04), 1.0, 1e-3);
-  spec.scan->lower.point[0] = -0.1;
+  spec.scan->lower->point[0] = -0.1;
   expect_error(spec, "different parts");
 }
 
@@ -171,13 +171,13 @@ TEST(Scan, WrongScansAreRefusedWithARemedy) {
     return spec;
   };
   expect_error(with([](auto& s) { s.front = input::FileAxis::minus_y; }), "lie along one axis");
-  expect_error(with([](auto& s) { s.lower.normal = {1, 1, 0}; }), "tilted by 45 degrees");
-  expect_error(with([](auto& s) { s.upper.point[1] = 0.05; }), "not above the lower one");
-  expect_error(with([](auto& s) { s.upper.point[1] = 0.5; }), "ends or joins");
+  expect_error(with([](auto& s) { s.lower->normal = {1, 1, 0}; }), "tilted by 45 degrees");
+  expect_error(with([](auto& s) { s.upper->point[1] = 0.05; }), "not above the lower one");
+  expect_error(with([](auto& s) { s.upper->point[1] = 0.5; }), "ends or joins");
   expect_error(with([](auto& s) { s.lower.point[1] = -0.5; }), "misses the surface");
   expect_error(with([](auto& s) { s.unit = 0; }), "unit");
-  expect_error(with([](auto& s) { s.bone.girth = 0; }), "bone has a girth of 0");
-  expect_error(with([](auto& s) { s.bone.girth = 0.4; }), "bone is outside the skin at height");
+  expect_error(with([](auto& s) { s.bone->girth = 0; }), "bone has a girth of 0");
+  expect_error(with([](auto& s) { s.bone->girth = 0.4; }), "bone is outside the skin at height");
   expect_error(with([](auto& s) { s.surface = "/nowhere.obj"; }), "no such file");
 }
 
@@ -185,7 +185,7 @@ TEST(Scan, AHoleBetweenTheCutPlanesIsRefusedAndOneBeyondThemIsNot) {
   const ScanFile open({round_tube(0.05)}, 1.0, false);  // no caps at 0 and 0.4 m
   EXPECT_EQ(error_of(open.spec()), "no error");
   input::BodySpec spec = open.spec();
-  spec.scan->upper.point[1] = 0.4;
+  spec.scan->upper->point[1] = 0.4;
   expect_error(spec, "not closed");
 }
 

@@ -68,6 +68,58 @@ std::string tetrahedron_as_binary_stl() {
   return bytes;
 }
 
+std::string tetrahedron_as_ply(const std::string& format) {
+  std::string text = "ply\nformat " + format + " 1.0\ncomment by hand\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n"
+                     "element face 4\nproperty list uchar int vertex_indices\nelement edge 1\nproperty short a\nend_header\n";
+  const bool big = format == "binary_big_endian", ascii = format == "ascii";
+  const auto put = [&](auto value) {
+    if (ascii) {
+      text += std::to_string(value) + ' ';
+      return;
+    }
+    std::string bytes(reinterpret_cast<const char*>(&value), sizeof value);
+    if (big) std::reverse(bytes.begin(), bytes.end());
+    text += bytes;
+  };
+  for (const auto& x : {std::array<float, 3>{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    for (const float value : x) put(value);
+    put(std::uint8_t{200});
+  }
+  for (const auto& t : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    put(std::uint8_t{3});
+    for (const int corner : t) put(corner);
+  }
+  put(std::int16_t{-7});
+  return text;
+}
+
+TEST(Surface, PlyIsReadAsTextAndInBothByteOrders) {
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) expect_tetrahedron(tetrahedron_as_ply(format));
+}
+
+TEST(Surface, OffIsReadWithCommentsAndColours) {
+  expect_tetrahedron("OFF\n# by hand\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n\n0 0 1 # the top\n3 0 2 1\n3 0 1 3 255 0 0\n3 1 2 3\n3 0 3 2\n");
+  expect_tetrahedron("OFF 4 4 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 2 1\r\n3 0 1 3\r\n3 1 2 3\r\n3 0 3 2\r\n");
+}
+
+TEST(Surface, FaultsOfPlyAndOffAreSaidWithTheirPlace) {
+  const auto error_of = [](const std::string& text) {
+    const SurfaceFile file(text);
+    try {
+      read_surface(file.path);
+    } catch (const input::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const std::string ply = tetrahedron_as_ply("binary_little_endian");
+  EXPECT_NE(error_of(ply.substr(0, ply.size() - 9)).find("ends before"), std::string::npos);
+  EXPECT_NE(error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n").find(":4:"), std::string::npos);
+  EXPECT_NE(error_of("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 a\n").find("\"a\" is no number"), std::string::npos);
+  EXPECT_NE(error_of("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n").find(":6:"), std::string::npos);
+  EXPECT_NE(error_of("OFF\n3 1 0\n0 0 0\n1 0 0\n").find("ends before"), std::string::npos);
+}
+
 TEST(Surface, TheSameBodyIsReadFromEveryFormat) {
   expect_tetrahedron("# a comment\nmtllib x.mtl\no body\n" + vertices +
                      "vn 0 0 1\nf 1//1 3//1 2//1\nf 1/1 2/1 4/1\n"

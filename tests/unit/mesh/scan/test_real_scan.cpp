@@ -20,10 +20,10 @@ input::BodySpec thigh_spec() {
   spec.scan->surface = std::filesystem::path(SNUG_SCAN_DIR) / "mean_female.obj";
   spec.scan->up = input::FileAxis::y;
   spec.scan->front = input::FileAxis::z;
-  spec.scan->lower = {{0.09, 0.55, 0.0}, {0, -1, 0}};
-  spec.scan->upper = {{0.09, 0.72, 0.0}, {0, 1, 0}};
+  spec.scan->lower = input::CutPlane{{0.09, 0.55, 0.0}, {0, -1, 0}};
+  spec.scan->upper = input::CutPlane{{0.09, 0.72, 0.0}, {0, 1, 0}};
   spec.scan->smoothing_radius = 0.02;
-  spec.scan->bone.girth = 0.1;
+  spec.scan->bone = input::BoneSpec{.girth = 0.1};
   return spec;
 }
 
@@ -68,7 +68,7 @@ TEST(RealScan, TheThighIsMeshedWithSoundCellsAndWearsASleeve) {
 
 TEST(RealScan, CutPlanesThatReachIntoTheHipsAreRefused) {
   input::BodySpec spec = thigh_spec();
-  spec.scan->upper.point[1] = 0.9;
+  spec.scan->upper->point[1] = 0.9;
   EXPECT_THROW(make_limb(spec), input::InputError);
 }
 

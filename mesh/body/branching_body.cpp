@@ -1,0 +1,417 @@
+#include "mesh/body/branching_body.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mesh/body/layering.hpp"
+#include "mesh/body/locations.hpp"
+#include "mesh/body/quadratic_cells.hpp"
+#include "mesh/body/scan.hpp"
+#include "mesh/body/scan_measures.hpp"
+#include "mesh/body/scan_surface.hpp"
+#include "mesh/surface/level_surface.hpp"
+#include "mesh/surface/mending.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+using input::InputError;
+
+constexpr double cells_round_narrowest = 32.0, core_over_skin = 1.5;
+constexpr double grid_over_size = 0.6;  // of the grid that inner surfaces are found on
+
+Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+class Maker {
+ public:
+  explicit Maker(const input::BodySpec& spec) : spec_(spec), scan_(*spec.scan), layering_(spec) {}
+
+  ScannedBody make() {
+    ScanSurface read = read_scan_surface(scan_, spec_.where);
+    report().said = read.said;
+    to_body_ = read.to_body, unit_ = read.unit;
+    find_cuts();
+    mended_ = mend(read.surface, {.hole = scan_.fill_holes});
+    say_mendings(mended_.mendings);
+    if (scan_.wrap > 0.0) wrap_surface(scan_.wrap);
+    make_skin();
+    make_inner();
+    make_caps();
+    fill();
+    measure();
+    return std::move(body_);
+  }
+
+ private:
+  ScanReport& report() { return body_.report; }
+  BodyMesh& mesh() { return body_.mesh; }
+
+  void say_mendings(const std::vector<Mending>& mendings) {
+    for (const Mending& one : mendings)
+      report().said.push_back(one.at.isZero(0.0) ? "mended: " + one.what
+                                                 : fmt::format("mended: {}, the first at ({:.0f}, {:.0f}, {:.0f}) mm", one.what, 1e3 * one.at.x(), 1e3 * one.at.y(), 1e3 * one.at.z()));
+  }
+
+  void find_cuts() {
+    const auto add = [&](const std::string& name, const std::array<double, 3>& point, const std::array<double, 3>& normal, const input::Location& where) {
+      cuts_.push_back({name, to_body_ * vector(point), (to_body_ * vector(normal)).normalized(), where});
+    };
+    for (const input::NamedCut& cut : scan_.cuts) add(cut.name, cut.point, cut.normal, cut.where);
+    if (scan_.cuts.empty() && scan_.lower && scan_.upper) {
+      add("lower", scan_.lower->point, scan_.lower->normal, spec_.where);
+      add("upper", scan_.upper->point, scan_.upper->normal, spec_.where);
+    }
+  }
+
+  void wrap_surface(double alpha) {
+    std::vector<Mending> before = std::move(mended_.mendings);
+    const std::vector<WideHole> holes = mended_.wide_holes;
+    mended_ = wrap(mended_.surface, alpha, 0.08 * alpha);
+    mended_.wide_holes = holes;
+    say_mendings(mended_.mendings);
+  }
+
+  /// What the cuts leave of the whole surface.
+  TriangleSurface cut_surface() const {
+    TriangleSurface kept = mended_.surface;
+    for (const Cut& cut : cuts_)
+      if (cut_off(kept, cut, section_at_origin).empty())
+        throw InputError(cut.where, fmt::format("the cut \"{}\" misses the surface", cut.name), "check its point (in the file's frame), the scan's unit and its up axis");
+    return compacted(kept);
+  }
+
+  void refuse_wide_holes(const TriangleSurface& kept) const {
+    for (const WideHole& hole : mended_.wide_holes)
+      if (std::any_of(kept.vertices.begin(), kept.vertices.end(), [&](const auto& x) { return x == hole.rim; }))
+        throw InputError({scan_.surface.string()},
+                         fmt::format("the surface has a hole {:.0f} mm wide at ({:.0f}, {:.0f}, {:.0f}) mm in the frame of the body", 1e3 * hole.width, 1e3 * hole.rim.x(), 1e3 * hole.rim.y(),
+                                     1e3 * hole.rim.z()),
+                         "close it in the scanner's program, let a cut drop it, or fill it flat: fill_holes");
+  }
+
+  double narrowest_girth(const TriangleSurface& kept) const {
+    double narrowest = 1e300;
+    for (const Rim& rim : border_loops(kept)) narrowest = std::min(narrowest, length_of(kept, rim));
+    return narrowest;
+  }
+
+  void make_skin() {
+    TriangleSurface kept = cut_surface();
+    refuse_wide_holes(kept);
+    if (border_loops(kept).empty()) throw InputError(spec_.where, "nothing of the scan lies between the cuts", "turn the normals of the cuts: they point out of what is kept");
+    size_ = scan_.cell_size > 0.0 ? scan_.cell_size : narrowest_girth(kept) / cells_round_narrowest;
+    radius_ = scan_.smoothing_radius > 0.0 ? scan_.smoothing_radius : size_;
+    const auto make = [&] {
+      surfaces_.clear();
+      surfaces_.push_back(nested_surface("skin", mended_.surface, kept, cuts_, size_, radius_, spec_.where));
+    };
+    try {
+      make();
+    } catch (const std::runtime_error& error) {
+      if (dynamic_cast<const InputError*>(&error)) throw;
+      throw InputError({scan_.surface.string()}, fmt::format("the surface cannot be meshed: {}", error.what()), "mend it in the scanner's program, or write wrap = \"10 mm\"");
+    }
+    if (surfaces_[0].cuts_itself && !(scan_.wrap > 0.0)) {
+      report().said.push_back("the surface cuts itself between the cuts");
+      wrap_surface(0.8 * size_);
+      kept = cut_surface();
+      make();
+    }
+    if (surfaces_[0].cuts_itself)
+      throw InputError({scan_.surface.string()}, "the surface still cuts itself where it was remeshed", "take a smaller cell_size, or write wrap = \"10 mm\"");
+    kept_ = closed_flat(kept);
+    report().cell_size = size_, report().smoothing_radius = radius_;
+    report().skin_triangles = static_cast<int>(surfaces_[0].mesh.triangles.size()), report().skin_on_facets = surfaces_[0].on_facets;
+    report().volume_of_scan = enclosed_volume(kept_);
+    measure_deviation(*surfaces_[0].smooth, kept, report());
+  }
+
+  /// Where level functions are looked at: what is kept, and as far beyond the cuts as inner surfaces have to reach.
+  Box box() const {
+    Box box{kept_.vertices.front(), kept_.vertices.front()};
+    for (const auto& x : kept_.vertices) box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(4.0 * size_);
+    return {box.low - margin, box.high + margin};
+  }
+
+  double tissue_at(const Eigen::Vector3d& x) const {
+    double more = 0.0, weights = 0.0;
+    for (const input::CorePlace& place : scan_.core->places) {
+      const double weight = std::exp(-(x - to_body_ * vector(place.at)).squaredNorm() / (place.radius * place.radius));
+      more += weight * (place.thickness - *scan_.core->thickness), weights += weight;
+    }
+    return *scan_.core->thickness + more / std::max(1.0, weights);
+  }
+
+  /// The core as a closed surface that reaches beyond the cuts.
+  TriangleSurface core_surface() {
+    if (!scan_.core) return bone_of_limb();
+    if (!scan_.core->surface.empty()) {
+      TriangleSurface core = read_surface(scan_.core->surface);
+      for (auto& x : core.vertices) x = to_body_ * (unit_ * x);
+      MendedSurface mended = mend(core);
+      for (Mending& one : mended.mendings) one.what = "core: " + one.what;
+      say_mendings(mended.mendings);
+      return std::move(mended.surface);
+    }
+    const SurfaceTree& skin = surfaces_[0].smooth->tree();
+    return level_surface([&](const Eigen::Vector3d& x) { return -skin.signed_distance(x) - tissue_at(x); }, box(), grid_over_size * size_);
+  }
+
+  /// The ellipse along the limb's middle, as the hexahedra have it, a little beyond the cuts.
+  TriangleSurface bone_of_limb() {
+    const Limb limb = limb_from_scan(with_lower_and_upper(spec_));
+    constexpr int around = 96, along = 80;
+    const double margin = 4.0 * size_;
+    TriangleSurface tube;
+    for (int j = 0; j <= along; ++j)
+      for (int i = 0; i < around; ++i) {
+        const double z = limb.lower - margin + j * (limb.upper - limb.lower + 2.0 * margin) / along, inside = std::clamp(z, limb.lower, limb.upper);
+        Eigen::Vector3d x = limb.bone->at(static_cast<double>(i) / around, inside);
+        x.z() = z;
+        tube.vertices.push_back(x);
+      }
+    const auto node = [&](int i, int j) { return j * around + i % around; };
+    for (int j = 0; j < along; ++j)
+      for (int i = 0; i < around; ++i) {
+        tube.triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
+        tube.triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
+      }
+    return closed_flat(std::move(tube));
+  }
+
+  void add_inner(const std::string& name, TriangleSurface whole, double size, const SurfaceTree& inside) {
+    if (whole.triangles.empty()) throw InputError(spec_.where, fmt::format("nothing of the body is so deep that there could be a surface \"{}\"", name), "make the tissue thinner");
+    const TriangleSurface kept = kept_inside(whole, cuts_, surfaces_[0], inside);
+    if (kept.triangles.empty()) throw InputError(spec_.where, fmt::format("no part of \"{}\" lies between the cuts", name), "check unit and place of the core, or make the tissue thinner");
+    surfaces_.push_back(nested_surface(name, std::move(whole), kept, cuts_, size, radius_, spec_.where));
+    if (surfaces_.back().cuts_itself) throw InputError(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
+  }
+
+  /// From the outside: layers with a thickness under the skin, those over the core, the core.
+  void make_inner() {
+    const SurfaceTree inside(kept_), &skin = surfaces_[0].smooth->tree();
+    const auto& solids = layering_.solids();
+    std::size_t rest = 0;
+    while (rest < solids.size() && solids[rest].thickness) ++rest;
+    TriangleSurface core = core_surface();
+    double depth = 0.0;
+    for (std::size_t n = solids.size() - 1; n > rest; --n) {
+      depth += *solids[n].thickness;
+      add_inner(solids[n - 1].name + " to " + solids[n].name,
+                level_surface([&](const Eigen::Vector3d& x) { return -skin.signed_distance(x) - depth; }, box(), grid_over_size * size_), size_, inside);
+    }
+    const SurfaceTree bone(core);
+    for (std::size_t n = rest; n > 0; --n) {
+      double over = 0.0;
+      for (std::size_t m = 0; m < n; ++m) over += *solids[m].thickness;
+      add_inner(solids[n - 1].name + " to " + solids[n].name,
+                level_surface([&](const Eigen::Vector3d& x) { return over - bone.signed_distance(x); }, box(), grid_over_size * size_), size_, inside);
+    }
+    const double core_size = scan_.core && scan_.core->cell_size ? *scan_.core->cell_size : core_over_skin * size_;
+    add_inner("bone", std::move(core), core_size, inside);
+  }
+
+  /// Triangles of the cut faces between each surface and the next one inside.
+  void make_caps() {
+    for (const NestedSurface& surface : surfaces_) {
+      first_.push_back(static_cast<int>(complex_.nodes.size()));
+      complex_.nodes.insert(complex_.nodes.end(), surface.mesh.vertices.begin(), surface.mesh.vertices.end());
+    }
+    const std::size_t regions = layering_.bone() ? surfaces_.size() : surfaces_.size() - 1;
+    caps_.assign(cuts_.size(), std::vector<std::vector<std::array<int, 3>>>(regions));
+    for (std::size_t c = 0; c < cuts_.size(); ++c)
+      for (std::size_t s = 0; s < regions; ++s)
+        for (const Rim& rim : surfaces_[s].rims[c]) fill_cap(c, s, rim);
+  }
+
+  void fill_cap(std::size_t c, std::size_t s, const Rim& rim) {
+    const PlaneFrame frame(cuts_[c]);
+    const auto outer = flat_rim(surfaces_[s], rim, frame);
+    std::vector<int> number;
+    for (const int v : rim) number.push_back(first_[s] + v);
+    std::vector<std::vector<Eigen::Vector2d>> holes;
+    if (s + 1 < surfaces_.size())
+      for (const Rim& inner : surfaces_[s + 1].rims[c]) {
+        auto hole = flat_rim(surfaces_[s + 1], inner, frame);
+        const auto in = std::count_if(hole.begin(), hole.end(), [&](const auto& p) { return inside_polygon(p, outer); });
+        if (in == 0) continue;
+        if (in < static_cast<long>(hole.size()))
+          throw InputError(cuts_[c].where, fmt::format("\"{}\" and \"{}\" meet at the cut \"{}\"", surfaces_[s].name, surfaces_[s + 1].name, cuts_[c].name), "make the layers or the core thinner there");
+        for (const int v : inner) number.push_back(first_[s + 1] + v);
+        holes.push_back(std::move(hole));
+      }
+    const PlaneMesh plane = by_gmsh(cuts_[c].where, fmt::format("the face of the cut \"{}\"", cuts_[c].name), [&] { return filled(outer, holes); });
+    while (number.size() < plane.nodes.size()) {
+      complex_.nodes.push_back(frame.lifted(plane.nodes[number.size()]));
+      number.push_back(static_cast<int>(complex_.nodes.size()) - 1);
+    }
+    for (const auto& t : plane.triangles) caps_[c][s].push_back({number[t[0]], number[t[1]], number[t[2]]});
+  }
+
+  template <class Work>
+  auto by_gmsh(const input::Location& where, const std::string& what, Work work) -> decltype(work()) {
+    try {
+      return work();
+    } catch (const std::runtime_error& error) {
+      throw InputError(where, fmt::format("{} cannot be meshed: gmsh: {}", what, error.what()), "take another cell_size, thinner layers or a smaller core: surfaces meet, perhaps");
+    }
+  }
+
+  int add_patch(const std::string& name, std::vector<std::array<int, 3>> triangles, int first) {
+    for (auto& t : triangles)
+      for (int& v : t) v += first;
+    complex_.patches.push_back({name, std::move(triangles)});
+    return static_cast<int>(complex_.patches.size()) - 1;
+  }
+
+  void fill() {
+    std::vector<int> patch;
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) patch.push_back(add_patch(surfaces_[s].name, surfaces_[s].mesh.triangles, first_[s]));
+    const std::size_t regions = caps_.empty() ? 0 : caps_.front().size();
+    for (std::size_t s = 0; s < regions; ++s) {
+      PatchComplex::Region region{surfaces_[s].name, {patch[s]}};
+      if (s + 1 < surfaces_.size()) region.patches.push_back(patch[s + 1]);
+      for (std::size_t c = 0; c < cuts_.size(); ++c)
+        if (!caps_[c][s].empty()) region.patches.push_back(add_patch(cuts_[c].name, caps_[c][s], 0));
+      complex_.regions.push_back(std::move(region));
+    }
+    const Tetrahedra linear = by_gmsh(spec_.where, "the body", [&] { return filled(complex_); });
+    if (linear.cells.empty()) throw InputError(spec_.where, "gmsh filled the body with no cells", "take another cell_size");
+    std::vector<std::vector<std::array<int, 3>>> faces(cuts_.size());
+    for (std::size_t c = 0; c < cuts_.size(); ++c)
+      for (const auto& part : caps_[c]) faces[c].insert(faces[c].end(), part.begin(), part.end());
+    take_over(linear, quadratic(linear, surfaces_, first_, faces, cuts_));
+  }
+
+  /// Layers from the inside out; region s lies outside of surface s + 1.
+  void take_over(const Tetrahedra& linear, QuadraticCells cells) {
+    mesh().kind = CellKind::tet10;
+    if (const auto* bone = layering_.bone()) mesh().layers.push_back({bone->name, bone->material});
+    for (const auto& layer : layering_.solids()) mesh().layers.push_back({layer.name, layer.material});
+    for (const auto& layer : layering_.membranes()) mesh().membranes.push_back({layer.name, layer.material, *layer.thickness});
+    const std::vector<int> number = numbers_in_use(cells);
+    mesh().cells = std::move(cells.cells);
+    for (CellNodes& cell : mesh().cells)
+      for (int a = 0; a < 10; ++a) cell[a] = number[cell[a]];
+    for (const int region : linear.region) mesh().cell_layer.push_back(static_cast<int>(mesh().layers.size()) - 1 - region);
+    if (cells.straightened > 0) report().said.push_back(fmt::format("{} edges were left less curved than the surface, so that no cell turns inside out", cells.straightened));
+    check_cells();
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) add_surface(surfaces_[s].name, cells.on_surface[s], number);
+    for (std::size_t c = 0; c < cuts_.size(); ++c) add_surface(cuts_[c].name, cells.on_cut[c], number);
+    if (!layering_.bone()) mesh().bone_nodes = mesh().surface("bone")->nodes;
+    mesh().skin_facets = mesh().surface("skin")->facets;
+    mesh().mean_skin_cell = mean_edge(mesh(), mesh().skin_facets);
+    assign_locations(spec_.locations, mesh());
+  }
+
+  /// New numbers of the nodes that cells use.
+  std::vector<int> numbers_in_use(const QuadraticCells& cells) {
+    std::vector<int> number(cells.nodes.size(), -1);
+    for (const CellNodes& cell : cells.cells)
+      for (int a = 0; a < 10; ++a) number[cell[a]] = 0;
+    for (std::size_t n = 0; n < number.size(); ++n)
+      if (number[n] == 0) number[n] = static_cast<int>(mesh().nodes.size()), mesh().nodes.push_back(cells.nodes[n]);
+    return number;
+  }
+
+  void add_surface(const std::string& name, const std::vector<int>& nodes, const std::vector<int>& number) {
+    Surface surface{name, {}, {}};
+    std::vector<char> keep(mesh().nodes.size(), 0);
+    for (const int n : nodes)
+      if (number[n] >= 0) surface.nodes.push_back(number[n]), keep[number[n]] = 1;
+    surface.facets = boundary_facets(mesh(), keep);
+    mesh().surfaces.push_back(std::move(surface));
+  }
+
+  void check_cells() {
+    for (const CellNodes& cell : mesh().cells) {
+      const CellPositions x = cell_positions(mesh().kind, cell, mesh().nodes);
+      for (const SamplePoint& sample : check_points(mesh().kind)) {
+        if (jacobian(x, sample).determinant() > 0.0) continue;
+        const Eigen::Vector3d at = 1e3 * x.rowwise().mean();
+        throw InputError(spec_.where, fmt::format("a cell near ({:.0f}, {:.0f}, {:.0f}) mm would turn inside out", at.x(), at.y(), at.z()), "take a smaller cell_size or thicker layers there");
+      }
+    }
+  }
+
+  void measure() {
+    measure_sections(mesh(), kept_, report());
+    for (const Cut& cut : cuts_) report().cuts.push_back(cut_row(mesh(), kept_, cut));
+    report().volume = volume_between(mesh(), cuts_);
+  }
+
+  const input::BodySpec& spec_;
+  const input::ScanSpec& scan_;
+  Layering layering_;
+  ScannedBody body_;
+  Eigen::Matrix3d to_body_;
+  double unit_ = 1.0, size_ = 0.0, radius_ = 0.0;
+  std::vector<Cut> cuts_;
+  MendedSurface mended_;
+  TriangleSurface kept_;  // closed by flat faces at the cuts
+  std::vector<NestedSurface> surfaces_;
+  PatchComplex complex_;
+  std::vector<int> first_;
+  std::vector<std::vector<std::vector<std::array<int, 3>>>> caps_;  // by cut and region
+};
+
+}  // namespace
+
+ScannedBody body_from_scan(const input::BodySpec& spec) {
+  if (!spec.scan) throw InputError(spec.where, "body kind \"scan\" without a scan", "add the table [body.scan]");
+  return Maker(spec).make();
+}
+
+namespace {
+
+/// Of two cuts the lower one and the upper one along the file's up axis.
+std::pair<const input::NamedCut*, const input::NamedCut*> by_height(const input::ScanSpec& scan) {
+  const int axis = static_cast<int>(scan.up);
+  const auto height = [&](const input::NamedCut& cut) { return (axis < 3 ? 1.0 : -1.0) * cut.point[axis % 3]; };
+  const auto &a = scan.cuts[0], &b = scan.cuts[1];
+  return height(a) < height(b) ? std::pair{&a, &b} : std::pair{&b, &a};
+}
+
+}  // namespace
+
+input::BodySpec with_lower_and_upper(const input::BodySpec& spec) {
+  input::BodySpec limb = spec;
+  if (spec.scan->lower || spec.scan->cuts.size() != 2) return limb;
+  const auto [low, high] = by_height(*spec.scan);
+  limb.scan->lower = input::CutPlane{low->point, low->normal}, limb.scan->upper = input::CutPlane{high->point, high->normal};
+  return limb;
+}
+
+void name_cuts(const input::BodySpec& spec, BodyMesh& mesh) {
+  if (!spec.scan || spec.scan->cuts.size() != 2) return;
+  const auto [low, high] = by_height(*spec.scan);
+  for (const auto& [surface, name] : {std::pair{"lower", low->name}, std::pair{"upper", high->name}})
+    if (const Surface* face = mesh.surface(surface); face && !mesh.surface(name)) {
+      Surface same = *face;
+      same.name = name;
+      mesh.surfaces.push_back(std::move(same));
+    }
+}
+
+CellChoice choose_cells(const input::BodySpec& spec) {
+  if (!spec.scan) return {};
+  const input::ScanSpec& scan = *spec.scan;
+  if (scan.cells != input::ScanCells::automatic) return {scan.cells == input::ScanCells::tetrahedra, "as the case asks"};
+  if (scan.core || !scan.bone) return {true, "the body has a core instead of one bone's outline"};
+  if (scan.cuts.empty()) return {false, "one limb lies between two cuts"};
+  if (scan.cuts.size() != 2) return {true, fmt::format("there are {} cuts", scan.cuts.size())};
+  try {
+    limb_from_scan(with_lower_and_upper(spec));
+  } catch (const InputError& error) {
+    return {true, fmt::format("no single limb lies between the two cuts ({})", error.what())};
+  }
+  return {false, "one limb lies between two cuts"};
+}
+
+}  // namespace snug::mesh

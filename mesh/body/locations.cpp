@@ -1,0 +1,147 @@
+#include "mesh/body/locations.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+#include "mesh/body/section_centres.hpp"
+#include "mesh/body/sections.hpp"
+
+namespace snug::mesh {
+
+namespace {
+
+using input::InputError;
+using input::LocationSpec;
+
+Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+/// The skin's nodes with their neighbours along edges of the fine triangles (between all nodes of a facet).
+class Skin {
+ public:
+  explicit Skin(const BodyMesh& mesh) : mesh_(mesh), next_(mesh.nodes.size()), normal_(mesh.nodes.size(), Eigen::Vector3d::Zero()) {
+    for (const auto& t : triangulated_nodes(mesh)) {
+      const Eigen::Vector3d twice = (mesh.nodes[t[1]] - mesh.nodes[t[0]]).cross(mesh.nodes[t[2]] - mesh.nodes[t[0]]);
+      for (int n = 0; n < 3; ++n) {
+        next_[t[n]].push_back(t[(n + 1) % 3]), next_[t[(n + 1) % 3]].push_back(t[n]);
+        normal_[t[n]] += twice;
+      }
+    }
+    for (std::size_t n = 0; n < next_.size(); ++n)
+      if (!next_[n].empty()) nodes_.push_back(static_cast<int>(n)), normal_[n].normalize();
+  }
+  const std::vector<int>& nodes() const { return nodes_; }
+  const Eigen::Vector3d& normal(int node) const { return normal_[node]; }
+
+  int nearest(const Eigen::Vector3d& x) const {
+    return *std::min_element(nodes_.begin(), nodes_.end(), [&](int a, int b) { return (mesh_.nodes[a] - x).squaredNorm() < (mesh_.nodes[b] - x).squaredNorm(); });
+  }
+
+  /// Nodes within a distance along the skin: what hangs together, and on a way along edges that is hardly longer than straight.
+  std::vector<int> within(const Eigen::Vector3d& middle, double radius) const {
+    constexpr double detour = 1.2;  // of ways along edges
+    std::vector<double> way(next_.size(), std::numeric_limits<double>::max());
+    using Item = std::pair<double, int>;
+    std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
+    const int start = nearest(middle);
+    way[start] = (mesh_.nodes[start] - middle).norm();
+    queue.emplace(way[start], start);
+    std::vector<int> found;
+    while (!queue.empty()) {
+      const auto [length, at] = queue.top();
+      queue.pop();
+      if (length > way[at]) continue;
+      if ((mesh_.nodes[at] - middle).norm() <= radius) found.push_back(at);
+      for (const int to : next_[at]) {
+        const double longer = length + (mesh_.nodes[to] - mesh_.nodes[at]).norm();
+        if (longer < way[to] && longer <= detour * radius) way[to] = longer, queue.emplace(longer, to);
+      }
+    }
+    return found;
+  }
+
+ private:
+  const BodyMesh& mesh_;
+  std::vector<std::vector<int>> next_;
+  std::vector<Eigen::Vector3d> normal_;
+  std::vector<int> nodes_;
+};
+
+std::vector<int> at_landmark(const LocationSpec& spec, const BodyMesh& mesh, const Skin& skin) {
+  const Eigen::Vector3d given = vector(*spec.at), middle = mesh.nodes[skin.nearest(given)];
+  const double off = (middle - given).norm();
+  if (off > *spec.radius)
+    throw InputError(spec.where, fmt::format("the landmark of \"{}\" is {:.0f} mm away from the skin", spec.name, 1e3 * off),
+                     fmt::format("the nearest point of the skin is ({:.0f}, {:.0f}, {:.0f}) mm in the frame of the body", 1e3 * middle.x(), 1e3 * middle.y(), 1e3 * middle.z()));
+  return skin.within(given, std::hypot(*spec.radius, off));
+}
+
+/// Inside the polygon as seen along its mean normal, on the side of the skin that its landmarks lie on.
+std::vector<int> in_polygon(const LocationSpec& spec, const BodyMesh& mesh, const Skin& skin) {
+  std::vector<Eigen::Vector3d> corner;
+  for (const auto& x : spec.polygon) corner.push_back(vector(x));
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero(), outward = Eigen::Vector3d::Zero();
+  for (const auto& x : corner) middle += x / static_cast<double>(corner.size());
+  double reach = 0.0;
+  for (std::size_t n = 0; n < corner.size(); ++n) {
+    normal += (corner[n] - middle).cross(corner[(n + 1) % corner.size()] - middle);
+    outward += skin.normal(skin.nearest(corner[n]));
+    reach = std::max(reach, (corner[n] - middle).norm());
+  }
+  if (normal.norm() == 0.0) throw InputError(spec.where, fmt::format("the landmarks of \"{}\" lie along a line", spec.name), "give them in order along the border of the patch");
+  normal.normalize();
+  if (normal.dot(outward) < 0.0) normal = -normal;
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  const auto flat = [&](const Eigen::Vector3d& x) { return Eigen::Vector2d(u.dot(x - middle), v.dot(x - middle)); };
+  std::vector<Eigen::Vector2d> polygon;
+  for (const auto& x : corner) polygon.push_back(flat(x));
+  const auto inside = [&](const Eigen::Vector2d& p) {
+    bool in = false;
+    for (std::size_t n = 0, last = polygon.size() - 1; n < polygon.size(); last = n++) {
+      const Eigen::Vector2d &a = polygon[n], &b = polygon[last];
+      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) in = !in;
+    }
+    return in;
+  };
+  std::vector<int> found;
+  for (const int node : skin.within(middle, 2.0 * reach))
+    if (skin.normal(node).dot(normal) > 0.0 && inside(flat(mesh.nodes[node]))) found.push_back(node);
+  return found;
+}
+
+/// Sectors count round the middle of the skin's section at the node's height: of the whole body's largest one, or of the limb that is named.
+std::vector<int> in_sector(const LocationSpec& spec, const BodyMesh& mesh, const Skin& skin) {
+  const SectionCentres centres = spec.limb ? SectionCentres(mesh, vector(*spec.limb)) : SectionCentres(mesh);
+  std::vector<int> found;
+  for (const int node : skin.nodes()) {
+    const Eigen::Vector3d& x = mesh.nodes[node];
+    if (!centres.holds(x)) continue;
+    const Eigen::Vector2d arm = x.head<2>() - centres.at(x.z());
+    if (location_of({spec}, std::atan2(arm.y(), arm.x()), x.z()) == 0) found.push_back(node);
+  }
+  return found;
+}
+
+}  // namespace
+
+void assign_locations(const std::vector<LocationSpec>& locations, BodyMesh& mesh) {
+  mesh.locations.clear();
+  for (const auto& location : locations) mesh.locations.push_back(location.name);
+  mesh.node_location.assign(mesh.nodes.size(), -1);
+  if (mesh.skin_facets.empty() || locations.empty()) return;
+  const Skin skin(mesh);
+  for (std::size_t l = 0; l < locations.size(); ++l) {
+    const LocationSpec& spec = locations[l];
+    const std::vector<int> nodes = spec.at ? at_landmark(spec, mesh, skin) : !spec.polygon.empty() ? in_polygon(spec, mesh, skin) : in_sector(spec, mesh, skin);
+    if (nodes.empty() && !spec.is_sector())
+      throw InputError(spec.where, fmt::format("the location \"{}\" holds no node of the skin", spec.name), "make it larger, or the cells smaller");
+    for (const int node : nodes)
+      if (mesh.node_location[node] < 0) mesh.node_location[node] = static_cast<int>(l);
+  }
+}
+
+}  // namespace snug::mesh

@@ -1,0 +1,13 @@
+// Named patches of skin, found on any mesh of a body.
+#pragma once
+
+#include "cases/input/body_spec.hpp"
+#include "mesh/body/body_mesh.hpp"
+
+namespace snug::mesh {
+
+/// Fills `locations` and `node_location` of a mesh whose nodes and surface "skin" are there: a node goes to the first patch that holds it.
+/// Throws input::InputError for a landmark that is far from the skin (more than its radius) and for a patch that holds no node.
+void assign_locations(const std::vector<input::LocationSpec>& locations, BodyMesh& mesh);
+
+}  // namespace snug::mesh

@@ -1,0 +1,57 @@
+#include "mesh/body/scan_surface.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace snug::mesh {
+
+namespace {
+
+using input::InputError;
+using input::Location;
+
+Eigen::Vector3d direction(input::FileAxis axis) {
+  const int n = static_cast<int>(axis);
+  return (n < 3 ? 1.0 : -1.0) * Eigen::Vector3d::Unit(n % 3);
+}
+
+/// Rows: the body's x (side), y (front) and z (up) in the axes of the file.
+Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where) {
+  const Eigen::Vector3d up = direction(spec.up), front = direction(spec.front);
+  if (std::abs(up.dot(front)) > 0.5)
+    throw InputError(where, fmt::format("up = \"{}\" and front = \"{}\" lie along one axis", text_of(spec.up), text_of(spec.front)),
+                     "name the file's axes that point up and to the front of the body");
+  Eigen::Matrix3d rotation;
+  rotation << front.cross(up).transpose(), front.transpose(), up.transpose();
+  return rotation;
+}
+
+double largest_extent(const TriangleSurface& surface) {
+  Eigen::Vector3d low = surface.vertices.front(), high = low;
+  for (const auto& x : surface.vertices) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  return (high - low).maxCoeff();
+}
+
+/// A person and parts of one are 5 cm to 2.3 m long: below 3 the file counts in metres, from 230 on in millimetres.
+double guessed_unit(const TriangleSurface& surface, std::vector<std::string>& said) {
+  const double size = largest_extent(surface);
+  const auto [unit, name] = size < 3.0 ? std::pair{1.0, "m"} : size < 230.0 ? std::pair{1e-2, "cm"} : std::pair{1e-3, "mm"};
+  said.push_back(fmt::format("unit left out: the file is taken to count in {}, which makes it {:.4g} m long", name, size * unit));
+  return unit;
+}
+
+}  // namespace
+
+ScanSurface read_scan_surface(const input::ScanSpec& spec, const Location& where) {
+  if (spec.unit && !(*spec.unit > 0.0)) throw InputError(where, fmt::format("the scan's unit is {:g} m", *spec.unit), "write unit = \"1 mm\"");
+  ScanSurface scan;
+  scan.to_body = file_to_body(spec, where);
+  scan.surface = read_surface(spec.surface);
+  scan.unit = spec.unit ? *spec.unit : guessed_unit(scan.surface, scan.said);
+  for (auto& vertex : scan.surface.vertices) vertex = scan.to_body * (scan.unit * vertex);
+  return scan;
+}
+
+}  // namespace snug::mesh

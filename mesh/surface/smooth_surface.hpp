@@ -1,0 +1,40 @@
+// The smooth surface that a scan's facets stand for.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "mesh/surface/surface_tree.hpp"
+
+namespace snug::mesh {
+
+/// Points are drawn onto the quadric that fits the scan's vertices around them best (moving least squares: weights fall like a Gaussian of
+/// standard deviation `radius / 2`, with the area a vertex stands for, and with its normal's turn, so that a thigh does not pull at the other one).
+/// Only what hangs together with the nearest point counts. Where vertices are sparse the Gaussian is as wide as they ask for.
+class SmoothSurface {
+ public:
+  SmoothSurface(TriangleSurface surface, double radius);
+
+  struct Point {
+    Eigen::Vector3d x, normal;
+  };
+  Point onto(const Eigen::Vector3d& x) const;
+  /// The same in the plane through `point` with the unit normal `across`: x ends on both.
+  Eigen::Vector3d onto(const Eigen::Vector3d& x, const Eigen::Vector3d& point, const Eigen::Vector3d& across) const;
+  const TriangleSurface& surface() const { return surface_; }
+  const SurfaceTree& tree() const { return tree_; }
+
+ private:
+  std::vector<int> around(int triangle, const Eigen::Vector3d& foot, double reach) const;
+  Point fitted(const Eigen::Vector3d& x) const;
+
+  TriangleSurface surface_;
+  SurfaceTree tree_;
+  double sigma_;
+  std::vector<std::vector<int>> neighbours_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<double> areas_;
+};
+
+}  // namespace snug::mesh

@@ -1,0 +1,194 @@
+// Scans with any number of cuts become layered bodies of tetrahedra whose measures are those of the scan.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "mesh/body/branching_body.hpp"
+#include "mesh/body/locations.hpp"
+#include "tests/unit/mesh/bodies.hpp"
+#include "tests/unit/mesh/scanned_shapes.hpp"
+
+namespace snug::mesh {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+input::BodySpec spec_of(const tests::ObjFile& file, std::vector<input::NamedCut> cuts, double tissue, double size) {
+  input::BodySpec spec;
+  spec.kind = input::BodyKind::scan;
+  input::LayerSpec bone, muscle, fat;
+  bone.name = "bone", bone.form = input::LayerForm::rigid;
+  muscle.name = "muscle";
+  fat.name = "fat", fat.thickness = 0.4 * tissue;
+  spec.layers = {bone, muscle, fat};
+  spec.scan.emplace();
+  spec.scan->surface = file.path, spec.scan->unit = 1.0;
+  spec.scan->cuts = std::move(cuts);
+  spec.scan->core = input::CoreSpec{.surface = {}, .thickness = tissue, .places = {}, .cell_size = {}};
+  spec.scan->cell_size = size;
+  return spec;
+}
+
+const std::vector<input::NamedCut> tube_cuts = {{"low", {0, 0, 0.1}, {0, 0, -1}, {}}, {"high", {0, 0, 0.3}, {0, 0, 1}, {}}};
+const std::vector<input::NamedCut> trouser_cuts = {{"waist", {0, 0, 0.6}, {0, 0, 1}, {}}, {"left", {0.08, 0, 0.15}, {0, 0, -1}, {}}, {"right", {-0.08, 0, 0.15}, {0, 0.2, -1}, {}}};
+
+std::string error_of(const input::BodySpec& spec) {
+  try {
+    body_from_scan(spec);
+  } catch (const input::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(BranchingBody, ATubeHasItsVolumeInEachLayerAndItsGirths) {
+  const tests::ObjFile file(tests::tube({}));
+  const ScannedBody body = body_from_scan(spec_of(file, tube_cuts, 0.03, 0.012));
+  const auto rows = quality(body.mesh);
+  ASSERT_EQ(rows.size(), 2u);
+  const auto shell = [](double outer, double inner) { return pi * 0.2 * (outer * outer - inner * inner); };
+  EXPECT_EQ(rows[0].layer, "muscle");
+  EXPECT_NEAR(rows[0].volume / shell(0.038, 0.02), 1.0, 5e-3);
+  EXPECT_NEAR(rows[1].volume / shell(0.05, 0.038), 1.0, 5e-3);
+  EXPECT_NEAR(body.report.volume / shell(0.05, 0.0), 1.0, 1e-3);
+  for (const auto& row : rows) EXPECT_GT(row.min_scaled_jacobian, 0.0);
+  for (const CutRow& cut : body.report.cuts) EXPECT_NEAR(cut.girth, 2 * pi * 0.05, 1e-4) << cut.name;
+  for (const SectionRow& row : body.report.sections) EXPECT_NEAR(row.girth, 2 * pi * 0.05, 1e-4) << row.height;
+  for (const int node : body.mesh.surface("skin")->nodes) EXPECT_NEAR(body.mesh.nodes[node].head<2>().norm(), 0.05, 1e-5);
+  for (const int node : body.mesh.surface("high")->nodes) EXPECT_NEAR(body.mesh.nodes[node].z(), 0.3, 1e-9);
+}
+
+TEST(BranchingBody, TrunkAndTwoLegsAreOneBodyWithNamedCutsOfWhichOneIsTilted) {
+  const tests::ObjFile file(tests::trousers({}));
+  const ScannedBody body = body_from_scan(spec_of(file, trouser_cuts, 0.03, 0.016));
+  EXPECT_NEAR(body.report.volume / body.report.volume_of_scan, 1.0, 5e-3);
+  for (const SectionRow& row : body.report.sections) EXPECT_NEAR(row.girth, row.girth_of_scan, 1e-3) << row.height;
+  EXPECT_EQ(body.report.sections.front().limbs, 2);
+  EXPECT_EQ(body.report.sections.back().limbs, 1);
+  std::set<std::string> names;
+  for (const Surface& surface : body.mesh.surfaces) {
+    names.insert(surface.name);
+    EXPECT_FALSE(surface.nodes.empty()) << surface.name;
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"skin", "muscle to fat", "bone", "waist", "left", "right"}));
+  const Eigen::Vector3d normal = Eigen::Vector3d(0, 0.2, -1).normalized();
+  for (const int node : body.mesh.surface("right")->nodes) EXPECT_NEAR(normal.dot(body.mesh.nodes[node] - Eigen::Vector3d(-0.08, 0, 0.15)), 0.0, 1e-9);
+  for (const auto& row : quality(body.mesh)) EXPECT_GT(row.min_scaled_jacobian, 0.0) << row.layer;
+  EXPECT_FALSE(body.mesh.bone_nodes.empty());
+}
+
+TEST(BranchingBody, AnElasticCoreIsALayerOfItsOwn) {
+  const tests::ObjFile file(tests::tube({}));
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+  spec.layers[0].form = input::LayerForm::solid;
+  const ScannedBody body = body_from_scan(spec);
+  EXPECT_TRUE(body.mesh.bone_nodes.empty());
+  ASSERT_EQ(quality(body.mesh).size(), 3u);
+  EXPECT_NEAR(quality(body.mesh)[0].volume / (pi * 0.2 * 0.02 * 0.02), 1.0, 5e-3);
+}
+
+TEST(BranchingBody, WhatTheCutsDropMayHaveHolesWhatTheyKeepMayNot) {
+  TriangleSurface open = tests::tube({});
+  std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]].z() > 0.37 && open.vertices[t[0]].x() > -0.02; });
+  const tests::ObjFile file(open);
+  EXPECT_EQ(error_of(spec_of(file, tube_cuts, 0.03, 0.014)), "no error");
+  input::BodySpec higher = spec_of(file, tube_cuts, 0.03, 0.014);
+  higher.scan->cuts[1].point[2] = 0.38;
+  EXPECT_NE(error_of(higher).find("hole"), std::string::npos) << error_of(higher);
+}
+
+TEST(BranchingBody, WrongCutsAndCoresAreRefusedWithTheirNames) {
+  const tests::ObjFile file(tests::tube({}));
+  const auto with = [&](auto change) {
+    input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+    change(spec);
+    return error_of(spec);
+  };
+  const auto expect = [](const std::string& error, const std::string& part) { EXPECT_NE(error.find(part), std::string::npos) << error; };
+  expect(with([](auto& s) { s.scan->cuts[1].point[2] = 0.5; }), "\"high\" misses the surface");
+  expect(with([](auto& s) { s.scan->core->thickness = 0.2; }), "so deep");
+  expect(with([](auto& s) { s.scan->surface = "/nowhere.obj"; }), "no such file");
+  expect(with([](auto& s) { s.scan->cuts[0].normal = {0, 0, 1}; }), "cut \"high\" misses");
+}
+
+TEST(BranchingBody, OneTubeBetweenTwoCutsBecomesHexahedraAndWhatBranchesTetrahedra) {
+  const tests::ObjFile tube(tests::tube({})), legs(tests::trousers({}), "legs");
+  input::BodySpec spec = spec_of(tube, tube_cuts, 0.03, 0.014);
+  EXPECT_TRUE(choose_cells(spec).tetrahedra);  // a core
+  spec.scan->core.reset(), spec.scan->bone = input::BoneSpec{.girth = 0.1};
+  EXPECT_FALSE(choose_cells(spec).tetrahedra);
+  spec.scan->cells = input::ScanCells::tetrahedra;
+  EXPECT_TRUE(choose_cells(spec).tetrahedra);
+  input::BodySpec branched = spec_of(legs, {trouser_cuts[0], trouser_cuts[1]}, 0.03, 0.014);
+  branched.scan->core.reset(), branched.scan->bone = input::BoneSpec{.girth = 0.1};
+  EXPECT_TRUE(choose_cells(branched).tetrahedra);
+  EXPECT_NE(choose_cells(branched).reason.find("no single limb"), std::string::npos) << choose_cells(branched).reason;
+}
+
+TEST(BranchingBody, AUnitThatIsLeftOutIsGuessedAndSaid) {
+  TriangleSurface millimetres = tests::tube({});
+  for (auto& x : millimetres.vertices) x *= 1e3;
+  const tests::ObjFile file(millimetres);
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+  spec.scan->unit.reset();
+  const ScannedBody body = body_from_scan(spec);
+  EXPECT_NEAR(body.report.cuts[0].girth, 2 * pi * 0.05, 1e-4);
+  ASSERT_FALSE(body.report.said.empty());
+  EXPECT_NE(body.report.said[0].find("count in mm"), std::string::npos) << body.report.said[0];
+}
+
+double area_of(const BodyMesh& mesh, int location) {
+  double area = 0.0;
+  for (const auto& facet : mesh.skin_facets) {
+    if (!std::all_of(facet.begin(), facet.begin() + 6, [&](int n) { return mesh.node_location[n] == location; })) continue;
+    std::vector<int> corners;
+    for (int a = 0; a < 6; ++a) corners.push_back(facet[a]);
+    const auto place = fem::reference_nodes(fem::Element::tri6);
+    std::array<Eigen::Vector3d, 3> x;
+    for (int a = 0; a < 6; ++a) {
+      if (place(0, a) + place(1, a) < 0.1) x[0] = mesh.nodes[facet[a]];
+      if (place(0, a) > 0.9) x[1] = mesh.nodes[facet[a]];
+      if (place(1, a) > 0.9) x[2] = mesh.nodes[facet[a]];
+    }
+    area += 0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm();
+  }
+  return area;
+}
+
+// Cells of 8 mm: a patch loses about a cell along its border.
+TEST(Locations, LandmarkPolygonAndSectorOfALimbAreFoundWhereTheyAre) {
+  const tests::ObjFile file(tests::trousers({}));
+  input::BodySpec spec = spec_of(file, trouser_cuts, 0.03, 0.01);
+  input::LocationSpec landmark, polygon, sector;
+  landmark.name = "front waist", landmark.at = std::array{0.0, 0.12, 0.5}, landmark.radius = 0.05;
+  polygon.name = "back", polygon.polygon = {{-0.05, -0.11, 0.45}, {0.05, -0.11, 0.45}, {0.05, -0.11, 0.55}, {-0.05, -0.11, 0.55}};
+  sector.name = "front left thigh", sector.from_angle = 0.25 * pi, sector.to_angle = 0.75 * pi, sector.from_height = 0.18, sector.to_height = 0.28, sector.limb = std::array{0.08, 0.0, 0.2};
+  spec.locations = {landmark, polygon, sector};
+  const BodyMesh mesh = body_from_scan(spec).mesh;
+  for (const int node : mesh.surface("skin")->nodes) {
+    const Eigen::Vector3d& x = mesh.nodes[node];
+    switch (mesh.node_location[node]) {
+      case 0: EXPECT_LE((x - Eigen::Vector3d(0, 0.12, 0.5)).norm(), 0.0501); break;
+      case 1: EXPECT_TRUE(std::abs(x.x()) < 0.051 && x.y() < 0.0 && x.z() > 0.449 && x.z() < 0.551) << x.transpose(); break;
+      case 2: EXPECT_TRUE(x.x() > 0.02 && x.y() > 0.03 && x.z() > 0.179 && x.z() < 0.281) << x.transpose(); break;
+      default: break;
+    }
+  }
+  EXPECT_GT(area_of(mesh, 0), 0.5 * pi * 0.05 * 0.05);
+  EXPECT_GT(area_of(mesh, 1), 0.5 * 0.1 * 0.1);
+  EXPECT_GT(area_of(mesh, 2), 0.5 * 0.1 * 0.25 * 2 * pi * 0.06);
+}
+
+TEST(Locations, ALandmarkFarFromTheSkinIsRefusedWithTheNearestPlace) {
+  const tests::ObjFile file(tests::tube({}));
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+  input::LocationSpec landmark;
+  landmark.name = "knee", landmark.at = std::array{0.2, 0.0, 0.2}, landmark.radius = 0.03;
+  spec.locations = {landmark};
+  EXPECT_NE(error_of(spec).find("\"knee\" is 150 mm away"), std::string::npos) << error_of(spec);
+}
+
+}  // namespace
+}  // namespace snug::mesh
