@@ -343,7 +343,7 @@ class Maker {
   void measure() {
     measure_sections(mesh(), kept_, report());
     for (const Cut& cut : cuts_) report().cuts.push_back(cut_row(mesh(), kept_, cut));
-    report().volume = volume_between(mesh(), cuts_);
+    report().volume = volume_between(mesh());
   }
 
   const input::BodySpec& spec_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/body/nested_surfaces.hpp"
 #include "mesh/body/sections.hpp"
 #include "mesh/surface/mending.hpp"
 
@@ -90,7 +91,7 @@ TriangleSurface fine_skin(const BodyMesh& mesh, int parts) {
 }
 
 void measure_sections(const BodyMesh& mesh, const TriangleSurface& closed_scan, ScanReport& report) {
-  const TriangleSurface fine = fine_skin(mesh, parts_of_edge);
+  const TriangleSurface fine = closed_flat(fine_skin(mesh, parts_of_edge));
   double low = 1e300, high = -1e300;
   for (const auto& x : fine.vertices) low = std::min(low, x.z()), high = std::max(high, x.z());
   const auto largest = [](const std::vector<SectionLoop>& loops) { return std::max_element(loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.girth < b.girth; }); };
@@ -108,15 +109,6 @@ CutRow cut_row(const BodyMesh& mesh, const TriangleSurface& closed_scan, const C
   return row;
 }
 
-double volume_between(const BodyMesh& mesh, const std::vector<Cut>& cuts) {
-  const TriangleSurface skin = fine_skin(mesh, parts_of_edge);
-  double volume = enclosed_volume(skin);
-  for (const Rim& loop : border_loops(skin)) {  // a fan closes each loop
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const int v : loop) middle += skin.vertices[v] / static_cast<double>(loop.size());
-    for (std::size_t n = 0; n < loop.size(); ++n) volume += skin.vertices[loop[(n + 1) % loop.size()]].dot(skin.vertices[loop[n]].cross(middle)) / 6.0;
-  }
-  return volume;
-}
+double volume_between(const BodyMesh& mesh) { return enclosed_volume(closed_flat(fine_skin(mesh, parts_of_edge))); }
 
 }  // namespace snug::mesh

@@ -21,7 +21,7 @@ void measure_sections(const BodyMesh& mesh, const TriangleSurface& closed_scan, 
 CutRow cut_row(const BodyMesh& mesh, const TriangleSurface& closed_scan, const Cut& cut);
 
 /// Volume inside skin and cuts, whatever is meshed of it, m3.
-double volume_between(const BodyMesh& mesh, const std::vector<Cut>& cuts);
+double volume_between(const BodyMesh& mesh);
 
 /// The curved skin as flat triangles, `parts` to an edge.
 TriangleSurface fine_skin(const BodyMesh& mesh, int parts);

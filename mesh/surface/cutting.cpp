@@ -16,6 +16,8 @@ namespace {
 using Edge = std::pair<int, int>;
 Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
+constexpr double hair = 1e-7;  // m
+
 /// Where a plane crosses the edges of a surface. A vertex within a hair of the plane counts as on its outer side.
 class Crossing {
  public:
@@ -23,10 +25,14 @@ class Crossing {
     for (std::size_t v = 0; v < side_.size(); ++v) side_[v] = cut.normal.dot(surface.vertices[v] - cut.point);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) enter(static_cast<int>(t));
   }
-  bool outer(int vertex) const { return side_[vertex] >= 0.0; }
+  bool outer(int vertex) const { return side_[vertex] >= -hair; }
+  /// Of a triangle that lies on one side; vertices that were put on the plane since do not count.
+  bool outer(const std::array<int, 3>& triangle) const {
+    return std::any_of(triangle.begin(), triangle.end(), [&](int v) { return v < static_cast<int>(side_.size()) && outer(v); });
+  }
 
   Eigen::Vector3d point(const Edge& edge) const {
-    const double a = side_[edge.first], b = side_[edge.second], s = std::clamp(a / (a - b), 1e-3, 1.0 - 1e-3);
+    const double a = side_[edge.first], b = side_[edge.second], s = std::clamp(a / (a - b), 1e-7, 1.0 - 1e-7);
     return (1.0 - s) * surface_.vertices[edge.first] + s * surface_.vertices[edge.second];
   }
 
@@ -98,18 +104,14 @@ Rim split(TriangleSurface& surface, const Crossing& crossing, const Crossing::Ch
 }
 
 /// Triangles that hang together with those on the outer side of the rims, not across a rim.
-std::vector<char> beyond(const TriangleSurface& surface, const std::vector<Rim>& rims, const Cut& cut) {
+std::vector<char> beyond(const TriangleSurface& surface, const Crossing& crossing, const std::vector<Rim>& rims, const Cut& cut) {
   std::set<Edge> walls;
   for (const Rim& rim : rims)
     for (std::size_t n = 0; n < rim.size(); ++n) walls.insert(edge_of(rim[n], rim[(n + 1) % rim.size()]));
   std::map<Edge, std::vector<int>> at;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (int n = 0; n < 3; ++n) at[edge_of(surface.triangles[t][n], surface.triangles[t][(n + 1) % 3])].push_back(static_cast<int>(t));
-  const auto is_outer = [&](int t) {
-    double sum = 0.0;
-    for (const int v : surface.triangles[t]) sum += cut.normal.dot(surface.vertices[v] - cut.point);
-    return sum > 0.0;
-  };
+  const auto is_outer = [&](int t) { return crossing.outer(surface.triangles[t]); };
   std::vector<char> reached(surface.triangles.size(), 0);
   std::vector<int> todo;
   const auto reach = [&](int t) {
@@ -197,7 +199,7 @@ std::vector<Rim> cut_off(TriangleSurface& surface, const Cut& cut, const Section
   std::vector<Rim> rims;
   for (const std::size_t n : choose(sections)) rims.push_back(split(surface, crossing, chains[n]));
   if (rims.empty()) return rims;
-  const std::vector<char> gone = beyond(surface, rims, cut);
+  const std::vector<char> gone = beyond(surface, crossing, rims, cut);
   std::vector<std::array<int, 3>> kept;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (!gone[t]) kept.push_back(surface.triangles[t]);

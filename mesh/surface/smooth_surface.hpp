@@ -9,9 +9,10 @@
 
 namespace snug::mesh {
 
-/// Points are drawn onto the quadric that fits the scan's vertices around them best (moving least squares: weights fall like a Gaussian of
-/// standard deviation `radius / 2`, with the area a vertex stands for, and with its normal's turn, so that a thigh does not pull at the other one).
-/// Only what hangs together with the nearest point counts. Where vertices are sparse the Gaussian is as wide as they ask for.
+/// Points are drawn onto the quadric that fits the scan's facets around them best (moving least squares: weights fall like a Gaussian of
+/// standard deviation `radius / 2`, and with the turn of a facet's normal, so that a thigh does not pull at the other one). Facets count with their
+/// area, by points inside and, to a quarter, by their corners, so that volume and girths stay. Only what hangs together with
+/// the nearest point counts. Where facets are large the Gaussian is as wide as they ask for.
 class SmoothSurface {
  public:
   SmoothSurface(TriangleSurface surface, double radius);
@@ -26,14 +27,14 @@ class SmoothSurface {
   const SurfaceTree& tree() const { return tree_; }
 
  private:
-  std::vector<int> around(int triangle, const Eigen::Vector3d& foot, double reach) const;
+  std::vector<int> around(int triangle, const Eigen::Vector3d& foot, double reach) const;  // triangles
   Point fitted(const Eigen::Vector3d& x) const;
 
   TriangleSurface surface_;
   SurfaceTree tree_;
   double sigma_;
-  std::vector<std::vector<int>> neighbours_;
-  std::vector<Eigen::Vector3d> normals_;
+  std::vector<std::vector<int>> triangles_at_;  // of each vertex
+  std::vector<Eigen::Vector3d> normals_;        // of each triangle
   std::vector<double> areas_;
 };
 
