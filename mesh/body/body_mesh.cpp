@@ -13,6 +13,7 @@
 #include "mesh/body/core.hpp"
 #include "mesh/body/lattice.hpp"
 #include "mesh/body/layering.hpp"
+#include "mesh/body/locations.hpp"
 
 namespace snug::mesh {
 
@@ -92,8 +93,7 @@ bool in_range(double z, const input::LocationSpec& location) {
 }
 
 /// Skin nodes go to the first location whose sector and range of heights hold them.
-void assign_locations(const std::vector<input::LocationSpec>& locations, const Lattice& lattice, const Limb& limb,
-                      int skin_k, BodyMesh& mesh) {
+void assign_sectors(const std::vector<input::LocationSpec>& locations, const Lattice& lattice, const Limb& limb, int skin_k, BodyMesh& mesh) {
   for (const auto& location : locations) mesh.locations.push_back(location.name);
   mesh.node_location.assign(mesh.nodes.size(), -1);
   std::vector<Eigen::Vector2d> centre;  // by lattice height j
@@ -171,7 +171,9 @@ BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   check_cells(mesh, limb, spec.where);
   collect_surfaces(lattice, grid, mesh);
   mesh.mean_skin_cell = mean_edge(mesh, mesh.skin_facets);
-  assign_locations(spec.locations, lattice, limb, 2 * grid.through, mesh);
+  const auto is_sector = [](const input::LocationSpec& location) { return location.is_sector() && !location.limb; };
+  if (std::all_of(spec.locations.begin(), spec.locations.end(), is_sector)) assign_sectors(spec.locations, lattice, limb, 2 * grid.through, mesh);
+  else assign_locations(spec.locations, mesh);
   const CellKind kind = kind_of(spec.elements);
   if (kind == CellKind::hex27) return mesh;
   BodyMesh converted = convert(mesh, kind);

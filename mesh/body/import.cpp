@@ -13,7 +13,7 @@
 
 #include "mesh/body/import_shell.hpp"
 #include "mesh/formats/gmsh_file.hpp"
-#include "mesh/body/section_centres.hpp"
+#include "mesh/body/locations.hpp"
 
 namespace snug::mesh {
 
@@ -91,7 +91,7 @@ class Import {
     hold_bone();
     if (const Surface* skin = mesh_.surface("skin")) mesh_.skin_facets = skin->facets;
     mesh_.mean_skin_cell = mean_edge(mesh_, mesh_.skin_facets);
-    assign_locations();
+    assign_locations(spec.locations, mesh_);
   }
   BodyMesh take() { return std::move(mesh_); }
 
@@ -200,20 +200,6 @@ class Import {
       throw InputError(rigid_where_, fmt::format("{} has no physical volume or surface \"{}\" that touches a layer",
                                                  spec_.mesh.string(), rigid_),
                        "name the bone's volume or its surface in gmsh like the rigid layer");
-  }
-
-  /// Sectors count round the middle of the skin's section at the node's height, as on every body.
-  void assign_locations() {
-    mesh_.node_location.assign(mesh_.nodes.size(), -1);
-    for (const auto& location : spec_.locations) mesh_.locations.push_back(location.name);
-    const Surface* skin = mesh_.surface("skin");
-    if (!skin || spec_.locations.empty()) return;
-    const SectionCentres centres(mesh_);
-    for (const int node : skin->nodes) {
-      const Eigen::Vector3d& x = mesh_.nodes[node];
-      const Eigen::Vector2d arm = x.head<2>() - centres.at(x.z());
-      mesh_.node_location[node] = location_of(spec_.locations, std::atan2(arm.y(), arm.x()), x.z());
-    }
   }
 
   const input::BodySpec& spec_;
