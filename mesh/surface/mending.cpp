@@ -19,6 +19,7 @@
 #include <map>
 
 #include "mesh/surface/cgal_mesh.hpp"
+#include "mesh/surface/cutting.hpp"
 
 namespace snug::mesh {
 
@@ -65,7 +66,7 @@ TriangleSurface without_doubles(const TriangleSurface& surface, Book& book) {
   }
   book.note(twice, "face given twice: one of them left out", "faces given twice: one of each left out", first_twice);
   book.note(flat, "face that is a line: left out", "faces that are lines: left out", first_flat);
-  return kept;
+  return compacted(kept);
 }
 
 /// Turns faces alike; where more than two share an edge, or fans meet in a point, vertices are doubled.

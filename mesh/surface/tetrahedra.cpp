@@ -17,10 +17,10 @@ namespace {
 
 constexpr int triangle3 = 2, tetrahedron4 = 4;  // gmsh's numbers of element types
 
-/// What a child process found: points, cells of `corners` nodes each, and the group of each.
+/// What a child process found: new points, and the nodes of the cells.
 struct Found {
   std::vector<double> x;
-  std::vector<int> cells, group;
+  std::vector<int> cells;
 };
 
 template <class T>
@@ -69,7 +69,7 @@ Found by_gmsh(const std::function<Found()>& work) {
       fault = "gmsh cannot be started";
     }
     append(bytes, std::vector<char>(fault.begin(), fault.end()));
-    append(bytes, found.x), append(bytes, found.cells), append(bytes, found.group);
+    append(bytes, found.x), append(bytes, found.cells);
     return bytes;
   };
   Limits limits;
@@ -81,7 +81,7 @@ Found by_gmsh(const std::function<Found()>& work) {
   const std::vector<char> fault = taken<char>(result.output, at);
   if (!fault.empty()) throw std::runtime_error(std::string(fault.begin(), fault.end()));
   Found found;
-  found.x = taken<double>(result.output, at), found.cells = taken<int>(result.output, at), found.group = taken<int>(result.output, at);
+  found.x = taken<double>(result.output, at), found.cells = taken<int>(result.output, at);
   return found;
 }
 
@@ -107,10 +107,11 @@ class NodeNumbers {
   std::map<std::size_t, int> number_;
 };
 
-Found fill_volumes(const PatchComplex& complex) {
+/// One region, with the nodes of all.
+Found fill_volume(const PatchComplex& complex, std::size_t r) {
   std::vector<char> placed(complex.nodes.size(), 0);
-  for (std::size_t p = 0; p < complex.patches.size(); ++p) {
-    const int surface = gmsh::model::addDiscreteEntity(2, static_cast<int>(p) + 1);
+  for (const int p : complex.regions[r].patches) {
+    const int surface = gmsh::model::addDiscreteEntity(2, p + 1);
     std::vector<std::size_t> tags, corners;
     std::vector<double> x;
     for (const auto& t : complex.patches[p].triangles)
@@ -124,23 +125,18 @@ Found fill_volumes(const PatchComplex& complex) {
     gmsh::model::mesh::addNodes(2, surface, tags, x);
     gmsh::model::mesh::addElementsByType(surface, triangle3, {}, corners);
   }
-  for (std::size_t r = 0; r < complex.regions.size(); ++r) {
-    std::vector<int> bounds;
-    for (const int p : complex.regions[r].patches) bounds.push_back(p + 1);
-    gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(bounds, static_cast<int>(r) + 1)}, static_cast<int>(r) + 1);
-  }
+  std::vector<int> bounds;
+  for (const int p : complex.regions[r].patches) bounds.push_back(p + 1);
+  const int volume = gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(bounds)});
   gmsh::model::geo::synchronize();
   gmsh::option::setNumber("Mesh.Optimize", 1);
   gmsh::option::setNumber("Mesh.OptimizeNetgen", 0);
   gmsh::model::mesh::generate(3);
   Found found;
   NodeNumbers number(complex.nodes.size());
-  for (std::size_t r = 0; r < complex.regions.size(); ++r) {
-    std::vector<std::size_t> tags, nodes;
-    gmsh::model::mesh::getElementsByType(tetrahedron4, tags, nodes, static_cast<int>(r) + 1);
-    for (std::size_t n = 0; n < nodes.size(); ++n) found.cells.push_back(number(nodes[n], found.x));
-    found.group.insert(found.group.end(), tags.size(), static_cast<int>(r));
-  }
+  std::vector<std::size_t> tags, nodes;
+  gmsh::model::mesh::getElementsByType(tetrahedron4, tags, nodes, volume);
+  for (const std::size_t node : nodes) found.cells.push_back(number(node, found.x));
   return found;
 }
 
@@ -172,12 +168,19 @@ Found fill_plane(const std::vector<std::vector<Eigen::Vector2d>>& loops) {
 }  // namespace
 
 Tetrahedra filled(const PatchComplex& complex) {
-  const Found found = by_gmsh([&] { return fill_volumes(complex); });
   Tetrahedra mesh;
   mesh.nodes = complex.nodes;
-  for (std::size_t n = 0; n + 2 < found.x.size(); n += 3) mesh.nodes.emplace_back(found.x[n], found.x[n + 1], found.x[n + 2]);
-  for (std::size_t n = 0; n + 3 < found.cells.size(); n += 4) mesh.cells.push_back({found.cells[n], found.cells[n + 1], found.cells[n + 2], found.cells[n + 3]});
-  mesh.region = found.group;
+  const int known = static_cast<int>(complex.nodes.size());
+  for (std::size_t r = 0; r < complex.regions.size(); ++r) {  // one at a time: where regions touch, gmsh gives cells of one to the other, too
+    const Found found = by_gmsh([&] { return fill_volume(complex, r); });
+    const int more = static_cast<int>(mesh.nodes.size()) - known;
+    const auto node = [&](int n) { return n < known ? n : n + more; };
+    for (std::size_t n = 0; n + 2 < found.x.size(); n += 3) mesh.nodes.emplace_back(found.x[n], found.x[n + 1], found.x[n + 2]);
+    for (std::size_t n = 0; n + 3 < found.cells.size(); n += 4) {
+      mesh.cells.push_back({node(found.cells[n]), node(found.cells[n + 1]), node(found.cells[n + 2]), node(found.cells[n + 3])});
+      mesh.region.push_back(static_cast<int>(r));
+    }
+  }
   return mesh;
 }
 

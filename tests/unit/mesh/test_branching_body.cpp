@@ -1,5 +1,6 @@
 // Scans with any number of cuts become layered bodies of tetrahedra whose measures are those of the scan.
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <numbers>
@@ -45,7 +46,7 @@ std::string error_of(const input::BodySpec& spec) {
 
 TEST(BranchingBody, ATubeHasItsVolumeInEachLayerAndItsGirths) {
   const tests::ObjFile file(tests::tube({}));
-  const ScannedBody body = body_from_scan(spec_of(file, tube_cuts, 0.03, 0.012));
+  const ScannedBody body = body_from_scan(spec_of(file, tube_cuts, 0.03, 0.02));
   const auto rows = quality(body.mesh);
   ASSERT_EQ(rows.size(), 2u);
   const auto shell = [](double outer, double inner) { return pi * 0.2 * (outer * outer - inner * inner); };
@@ -62,7 +63,7 @@ TEST(BranchingBody, ATubeHasItsVolumeInEachLayerAndItsGirths) {
 
 TEST(BranchingBody, TrunkAndTwoLegsAreOneBodyWithNamedCutsOfWhichOneIsTilted) {
   const tests::ObjFile file(tests::trousers({}));
-  const ScannedBody body = body_from_scan(spec_of(file, trouser_cuts, 0.03, 0.016));
+  const ScannedBody body = body_from_scan(spec_of(file, trouser_cuts, 0.03, 0.026));
   EXPECT_NEAR(body.report.volume / body.report.volume_of_scan, 1.0, 5e-3);
   for (const SectionRow& row : body.report.sections) EXPECT_NEAR(row.girth, row.girth_of_scan, 1e-3) << row.height;
   EXPECT_EQ(body.report.sections.front().limbs, 2);
@@ -81,7 +82,7 @@ TEST(BranchingBody, TrunkAndTwoLegsAreOneBodyWithNamedCutsOfWhichOneIsTilted) {
 
 TEST(BranchingBody, AnElasticCoreIsALayerOfItsOwn) {
   const tests::ObjFile file(tests::tube({}));
-  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
   spec.layers[0].form = input::LayerForm::solid;
   const ScannedBody body = body_from_scan(spec);
   EXPECT_TRUE(body.mesh.bone_nodes.empty());
@@ -93,8 +94,8 @@ TEST(BranchingBody, WhatTheCutsDropMayHaveHolesWhatTheyKeepMayNot) {
   TriangleSurface open = tests::tube({});
   std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]].z() > 0.37 && open.vertices[t[0]].x() > -0.02; });
   const tests::ObjFile file(open);
-  EXPECT_EQ(error_of(spec_of(file, tube_cuts, 0.03, 0.014)), "no error");
-  input::BodySpec higher = spec_of(file, tube_cuts, 0.03, 0.014);
+  EXPECT_EQ(error_of(spec_of(file, tube_cuts, 0.03, 0.022)), "no error");
+  input::BodySpec higher = spec_of(file, tube_cuts, 0.03, 0.022);
   higher.scan->cuts[1].point[2] = 0.38;
   EXPECT_NE(error_of(higher).find("hole"), std::string::npos) << error_of(higher);
 }
@@ -102,7 +103,7 @@ TEST(BranchingBody, WhatTheCutsDropMayHaveHolesWhatTheyKeepMayNot) {
 TEST(BranchingBody, WrongCutsAndCoresAreRefusedWithTheirNames) {
   const tests::ObjFile file(tests::tube({}));
   const auto with = [&](auto change) {
-    input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+    input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
     change(spec);
     return error_of(spec);
   };
@@ -115,13 +116,13 @@ TEST(BranchingBody, WrongCutsAndCoresAreRefusedWithTheirNames) {
 
 TEST(BranchingBody, OneTubeBetweenTwoCutsBecomesHexahedraAndWhatBranchesTetrahedra) {
   const tests::ObjFile tube(tests::tube({})), legs(tests::trousers({}), "legs");
-  input::BodySpec spec = spec_of(tube, tube_cuts, 0.03, 0.014);
+  input::BodySpec spec = spec_of(tube, tube_cuts, 0.03, 0.022);
   EXPECT_TRUE(choose_cells(spec).tetrahedra);  // a core
   spec.scan->core.reset(), spec.scan->bone = input::BoneSpec{.girth = 0.1};
   EXPECT_FALSE(choose_cells(spec).tetrahedra);
   spec.scan->cells = input::ScanCells::tetrahedra;
   EXPECT_TRUE(choose_cells(spec).tetrahedra);
-  input::BodySpec branched = spec_of(legs, {trouser_cuts[0], trouser_cuts[1]}, 0.03, 0.014);
+  input::BodySpec branched = spec_of(legs, {trouser_cuts[0], trouser_cuts[1]}, 0.03, 0.022);
   branched.scan->core.reset(), branched.scan->bone = input::BoneSpec{.girth = 0.1};
   EXPECT_TRUE(choose_cells(branched).tetrahedra);
   EXPECT_NE(choose_cells(branched).reason.find("no single limb"), std::string::npos) << choose_cells(branched).reason;
@@ -131,7 +132,7 @@ TEST(BranchingBody, AUnitThatIsLeftOutIsGuessedAndSaid) {
   TriangleSurface millimetres = tests::tube({});
   for (auto& x : millimetres.vertices) x *= 1e3;
   const tests::ObjFile file(millimetres);
-  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
   spec.scan->unit.reset();
   const ScannedBody body = body_from_scan(spec);
   EXPECT_NEAR(body.report.cuts[0].girth, 2 * pi * 0.05, 1e-4);
@@ -160,7 +161,7 @@ double area_of(const BodyMesh& mesh, int location) {
 // Cells of 8 mm: a patch loses about a cell along its border.
 TEST(Locations, LandmarkPolygonAndSectorOfALimbAreFoundWhereTheyAre) {
   const tests::ObjFile file(tests::trousers({}));
-  input::BodySpec spec = spec_of(file, trouser_cuts, 0.03, 0.01);
+  input::BodySpec spec = spec_of(file, trouser_cuts, 0.03, 0.016);
   input::LocationSpec landmark, polygon, sector;
   landmark.name = "front waist", landmark.at = std::array{0.0, 0.12, 0.5}, landmark.radius = 0.05;
   polygon.name = "back", polygon.polygon = {{-0.05, -0.11, 0.45}, {0.05, -0.11, 0.45}, {0.05, -0.11, 0.55}, {-0.05, -0.11, 0.55}};
@@ -183,7 +184,7 @@ TEST(Locations, LandmarkPolygonAndSectorOfALimbAreFoundWhereTheyAre) {
 
 TEST(Locations, ALandmarkFarFromTheSkinIsRefusedWithTheNearestPlace) {
   const tests::ObjFile file(tests::tube({}));
-  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.014);
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
   input::LocationSpec landmark;
   landmark.name = "knee", landmark.at = std::array{0.2, 0.0, 0.2}, landmark.radius = 0.03;
   spec.locations = {landmark};
