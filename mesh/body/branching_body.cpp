@@ -344,6 +344,17 @@ class Maker {
     measure_sections(mesh(), kept_, report());
     for (const Cut& cut : cuts_) report().cuts.push_back(cut_row(mesh(), kept_, cut));
     report().volume = volume_between(mesh());
+    check_filled();
+  }
+
+  /// The layers and a rigid core fill what skin and cuts enclose, once.
+  void check_filled() {
+    constexpr double tolerance = 0.01;
+    double cells = layering_.bone() ? 0.0 : enclosed_volume(closed_flat(surfaces_.back().mesh));
+    for (const QualityRow& row : quality(mesh())) cells += row.volume;
+    if (std::abs(cells - report().volume) <= tolerance * report().volume) return;
+    throw InputError(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),
+                     "take another cell_size: gmsh has filled a layer wrongly");
   }
 
   const input::BodySpec& spec_;
