@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "mesh/formats/contained.hpp"
 #include "mesh/formats/gmsh_session.hpp"
@@ -85,24 +86,25 @@ Found by_gmsh(const std::function<Found()>& work) {
   return found;
 }
 
-/// Nodes `known` first (tags from 1), then the others in the order in which they come.
+/// The nodes given keep their numbers (tags less one), then come the others in the order in which they are met. Their tags tell nothing: gmsh
+/// goes on from the largest it was given, which need not be that of all nodes.
 class NodeNumbers {
  public:
-  explicit NodeNumbers(std::size_t known) : known_(known) {
+  explicit NodeNumbers(std::vector<char> given) : given_(std::move(given)) {
     std::vector<std::size_t> tags;
     std::vector<double> x, parameters;
     gmsh::model::mesh::getNodes(tags, x, parameters);
     for (std::size_t n = 0; n < tags.size(); ++n) place_[tags[n]] = {x[3 * n], x[3 * n + 1], x[3 * n + 2]};
   }
   int operator()(std::size_t tag, std::vector<double>& x) {
-    if (tag <= known_) return static_cast<int>(tag) - 1;
-    const auto [it, fresh] = number_.try_emplace(tag, static_cast<int>(known_ + number_.size()));
+    if (tag <= given_.size() && given_[tag - 1]) return static_cast<int>(tag) - 1;
+    const auto [it, fresh] = number_.try_emplace(tag, static_cast<int>(given_.size() + number_.size()));
     if (fresh) x.insert(x.end(), place_.at(tag).begin(), place_.at(tag).end());
     return it->second;
   }
 
  private:
-  std::size_t known_;
+  std::vector<char> given_;
   std::map<std::size_t, std::array<double, 3>> place_;
   std::map<std::size_t, int> number_;
 };
@@ -133,7 +135,7 @@ Found fill_volume(const PatchComplex& complex, std::size_t r) {
   gmsh::option::setNumber("Mesh.OptimizeNetgen", 0);
   gmsh::model::mesh::generate(3);
   Found found;
-  NodeNumbers number(complex.nodes.size());
+  NodeNumbers number(std::move(placed));
   std::vector<std::size_t> tags, nodes;
   gmsh::model::mesh::getElementsByType(tetrahedron4, tags, nodes, volume);
   for (const std::size_t node : nodes) found.cells.push_back(number(node, found.x));
@@ -158,7 +160,7 @@ Found fill_plane(const std::vector<std::vector<Eigen::Vector2d>>& loops) {
   gmsh::option::setNumber("Mesh.Algorithm", 5);
   gmsh::model::mesh::generate(2);
   Found found;
-  NodeNumbers number(static_cast<std::size_t>(count));
+  NodeNumbers number(std::vector<char>(static_cast<std::size_t>(count), 1));
   std::vector<std::size_t> tags, nodes;
   gmsh::model::mesh::getElementsByType(triangle3, tags, nodes, surface);
   for (const std::size_t node : nodes) found.cells.push_back(number(node, found.x));
