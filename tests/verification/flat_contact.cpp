@@ -31,7 +31,7 @@ TEST(FlatContact, PatchTestOnMeshesThatDoNotMatchIsExact) {
   scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(layout, "body"), body, std::vector<materials::SolidLaw>{tissue(shear, 0.45)}));
   input::MaterialEntry cloth;
   cloth.table = input::table_of("law = 'linear'\nwarp = '1000 N/m'\nweft = '1000 N/m'\nshear = '300 N/m'\npoisson = 0");
-  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], garment, materials::find_fabric(cloth), 1.05));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], garment, std::vector{materials::find_fabric(cloth)}, 1.05));
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], garment), solver::MasterSurface(layout["body"], body, body.skin_facets)}, 1e6,
                                               solver::GapBasis::hat));
   solver::NodalForces weight(garment.pattern.size(), Eigen::Vector3d::Zero());

@@ -54,7 +54,7 @@ struct SoftDrum {
     solver::Scene scene(layout, numbering(layout));
     materials::SolidLaw tissue = materials::find_tissue(body.layers.front().material).law;
     scene.add(std::make_unique<solver::Tissue>("tissue", solver::body_fields(layout, "body"), body, std::vector<materials::SolidLaw>(body.layers.size(), tissue)));
-    scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], band, tests::straight_fabric(strip.k, 0.3 * strip.k)));
+    scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], band, std::vector{tests::straight_fabric(strip.k, 0.3 * strip.k)}));
     scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], band), solver::MasterSurface(layout["body"], body, body.skin_facets)},
                                                 strip.k / (band.mean_edge * band.mean_edge), solver::GapBasis::hat));
     if (friction > 0.0)

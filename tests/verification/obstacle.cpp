@@ -63,7 +63,7 @@ Answer solve(int n) {
   materials::Fabric fabric;  // equal tension both ways: S E = tension at the strain of the prestretch
   fabric.warp = fabric.weft = materials::TensionCurve::linear(tension / (0.5 * (prestretch * prestretch - 1.0)));
   fabric.shear = tension;
-  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], membrane, fabric, prestretch));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], membrane, std::vector{fabric}, prestretch));
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], membrane), solver::MasterSurface(layout["body"], body, body.skin_facets)}, tension / (membrane.mean_edge * membrane.mean_edge),
                                               solver::GapBasis::hat));
   solver::State start = tests::placed_state(layout, body, membrane);

@@ -8,6 +8,7 @@
 #include "mesh/garment/garment_zones.hpp"
 #include "mesh/pattern/toml_pattern.hpp"
 #include "solver/library/graduated.hpp"
+#include "solver/scene/laplace.hpp"
 #include "tests/pattern_texts.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/tube.hpp"

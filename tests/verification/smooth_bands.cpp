@@ -92,8 +92,8 @@ TEST(SmoothBand, TwoPanelsInSeriesShareTheirTension) {
   for (int j = 0; j < 5; ++j)  // the ring may not turn
     for (const int node : {j * columns, j * columns + columns - 1}) master[layout["garment"](node, 1)] = -1;
   solver::Scene scene(layout, solver::Numbering(std::move(master)));
-  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], first, tests::straight_fabric(k1, 0.3 * k1)));
-  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], second, tests::straight_fabric(k2, 0.3 * k2)));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], first, std::vector{tests::straight_fabric(k1, 0.3 * k1)}));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], second, std::vector{tests::straight_fabric(k2, 0.3 * k2)}));
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], ring), solver::MasterSurface(layout["body"], body, body.skin_facets)},
                                               k2 / (ring.mean_edge * ring.mean_edge), solver::GapBasis::hat));
   solver::State start = tests::placed_state(layout, body, ring);

@@ -98,7 +98,7 @@ inline solver::Numbering strip_numbering(const solver::Layout& layout, const mes
 inline solver::Scene strip_scene(const Strip& s, const mesh::GarmentMesh& mesh, const mesh::BodyMesh& body) {
   const solver::Layout layout = tests::make_layout(body, mesh, false, true);
   solver::Scene scene(layout, strip_numbering(layout, mesh));
-  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], mesh, straight_fabric(s.k, 0.3 * s.k)));
+  scene.add(std::make_unique<solver::FabricMembrane>("garment", layout["garment"], mesh, std::vector{straight_fabric(s.k, 0.3 * s.k)}));
   const double stiffness = s.k / (mesh.mean_edge * mesh.mean_edge);
   scene.add(std::make_unique<solver::Contact>("contact", solver::Interface{layout["contact"], solver::garment_slave(layout["garment"], mesh), solver::MasterSurface(layout["body"], body, body.skin_facets)}, stiffness,
                                               solver::GapBasis::hat));

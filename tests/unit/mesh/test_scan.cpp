@@ -174,7 +174,7 @@ TEST(Scan, WrongScansAreRefusedWithARemedy) {
   expect_error(with([](auto& s) { s.lower->normal = {1, 1, 0}; }), "tilted by 45 degrees");
   expect_error(with([](auto& s) { s.upper->point[1] = 0.05; }), "not above the lower one");
   expect_error(with([](auto& s) { s.upper->point[1] = 0.5; }), "ends or joins");
-  expect_error(with([](auto& s) { s.lower.point[1] = -0.5; }), "misses the surface");
+  expect_error(with([](auto& s) { s.lower->point[1] = -0.5; }), "misses the surface");
   expect_error(with([](auto& s) { s.unit = 0; }), "unit");
   expect_error(with([](auto& s) { s.bone->girth = 0; }), "bone has a girth of 0");
   expect_error(with([](auto& s) { s.bone->girth = 0.4; }), "bone is outside the skin at height");
