@@ -113,6 +113,7 @@ struct FitRow {
   std::string garment;
   double height = 0.0, body_girth = 0.0, garment_girth = 0.0;  ///< m; of the garment as cut
   double cover = 1.0;             ///< share of the way round that it goes
+  std::string limb = {};          ///< of a body that branches: "trunk", "right leg", "left leg"
 
   double ease() const { return body_girth > 0.0 ? garment_girth / body_girth - 1.0 : 0.0; }
 };
@@ -220,7 +221,7 @@ struct RunResult {
   std::vector<Iteration> history;
   Balance balance;
   std::vector<Hem> hems;          ///< named edges of a garment in contact
-  std::vector<FitRow> fit;        ///< of the garments on a limb, from below
+  std::vector<FitRow> fit;        ///< of the garments by limb, from below
   std::vector<SurfaceContact> surface_contacts;
   std::vector<Band> bands;
   std::vector<PieceRow> pieces;   ///< of the garments, in the order of their patterns

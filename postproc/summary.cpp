@@ -165,6 +165,8 @@ Json fit_json(const RunResult& run) {
                     {"garment_girth_m", row.garment_girth},
                     {"ease", row.ease()},
                     {"cover", row.cover}});
+  for (std::size_t n = 0; n < run.fit.size(); ++n)
+    if (!run.fit[n].limb.empty()) json[n]["limb"] = run.fit[n].limb;
   return json;
 }
 

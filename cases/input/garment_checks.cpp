@@ -13,6 +13,12 @@ namespace snug::input {
 
 namespace {
 
+constexpr const char* position_missing = "the key position is missing";
+constexpr const char* position_remedy = "add position: height of the lowest point as placed, e.g. \"0.1 m\"";
+
+/// Crotch, shoulders and waist tell where a garment is worn.
+bool may_branch(const BodySpec& body) { return body.kind != BodyKind::stations; }
+
 void check_tube(const GarmentSpec& garment, const Table* pattern, Diagnostics& diagnostics) {
   const PatternSpec& tube = garment.pattern;
   const auto missing = [&](const char* key, const char* meaning, const char* example) {
@@ -126,6 +132,11 @@ std::optional<double> rest_length(const BandSpec& band, double pattern_length) {
   return {};
 }
 
+double lowest_point(const GarmentSpec& garment) {
+  if (garment.position) return *garment.position;
+  throw InputError(garment.where, position_missing, position_remedy);
+}
+
 const Table* garment_table(const Table& root, std::size_t garment) {
   const Value* garments = root.find("garment");
   const bool list = garments && garments->array() && garment < garments->array()->size();
@@ -142,6 +153,7 @@ void check_garments(const Case& c, const Table& root, Diagnostics& diagnostics) 
     check_zones(garment, diagnostics);
     if (!garment.pattern.sewn() && table && !table->find("fabric"))
       diagnostics.error(garment.where, "the key fabric is missing", "add fabric: an entry of snug materials list or a table of values");
+    if (table && !table->find("position") && !(c.body && may_branch(*c.body))) diagnostics.error(garment.where, position_missing, position_remedy);
     check_held(garment, diagnostics);
     check_bands(garment, diagnostics);
     if (!names.insert(garment.name).second)

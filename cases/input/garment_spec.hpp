@@ -157,7 +157,7 @@ struct GarmentSpec {
   MaterialEntry fabric;
   FabricBranch branch = FabricBranch::loading;
   WarpDirection warp = WarpDirection::along;
-  double position = 0.0;       ///< m; height of the lower edge as placed
+  std::optional<double> position;  ///< m; height of the lowest point as placed
   std::optional<double> seam;  ///< rad; where it lies round the limb
   std::string bottom;          ///< open edge of a sewn pattern that lies lowest
   double cell_size = 0.0;      ///< m, on the pattern; 0 = by the skin's cells
@@ -176,7 +176,8 @@ struct GarmentSpec {
     field(Field{.key = "fabric", .meaning = "an entry of snug materials list or a table of values; left out: the pattern's"}, self.fabric);
     field(Field{.key = "branch", .meaning = "curve of the fabric that the garment runs on: loading, or unloading after it was stretched further"}, self.branch);
     field(Field{.key = "warp", .meaning = "warp (wale) direction against the body's axis"}, self.warp);
-    field(Field{.key = "position", .unit = "m", .meaning = "height of the lowest point as placed", .required = true},
+    field(Field{.key = "position", .unit = "m",
+                .meaning = "height of the lowest point as placed; may be left out on a body that branches, where crotch, shoulders or waist tell it"},
           self.position);
     field(Field{.key = "seam",
                 .unit = "rad",
@@ -208,5 +209,8 @@ struct GarmentSpec {
           self.zone);
   }
 };
+
+/// m, the height at which the lowest point is placed. Throws InputError where the case does not say it.
+double lowest_point(const GarmentSpec& garment);
 
 }  // namespace snug::input

@@ -10,9 +10,11 @@
 #include "mesh/garment/limb_placement.hpp"
 #include "mesh/garment/tube_chart.hpp"
 #include "mesh/garment/tube_girth.hpp"
+#include "mesh/garment/tube_pattern.hpp"
 #include "mesh/pattern/read_pattern.hpp"
 #include "mesh/pattern/sewn_mesh.hpp"
 #include "mesh/pattern/trimming.hpp"
+#include "mesh/placement/fit_on_body.hpp"
 
 namespace snug::mesh {
 
@@ -20,16 +22,16 @@ namespace {
 
 using input::InputError;
 
+constexpr double usual_lift = 2e-4;  // m, of make_garment_mesh
+
 /// Cells that show the shape of a garment: some forty round it.
 double coarse_cell(const GarmentCut& cut) {
   const CutSize size = size_of(cut);
   return std::sqrt(size.area / 2500.0);
 }
 
-/// How far the limb stretches the garment round it, at least 1, to a thousandth.
-double mean_stretch(const GarmentFit& fit, const Limb& limb) {
-  return std::round(1e3 * std::max(1.0, mean_fit(fit, limb).stretch)) / 1e3;
-}
+/// How far the body stretches the garment round it, at least 1, to a thousandth.
+double mean_stretch(const MeanFit& mean) { return std::round(1e3 * std::max(1.0, mean.stretch)) / 1e3; }
 
 /// Representatives of an edge of a piece that the garment is held at.
 std::vector<int> nodes_of_edge(const SewnMesh& sewn, const std::string& edge) {
@@ -51,6 +53,41 @@ void name_edges(const GarmentCut& cut, const SewnMesh& sewn, GarmentMesh& mesh) 
   };
   for (const input::HeldEdge& held : cut.spec.held) name(held.edge, held.where);
   for (const input::BandSpec& band : cut.spec.band) name(band.edge, band.where);
+}
+
+/// The solver's mesh of what stands somewhere, however it came there.
+GarmentMesh finished(const GarmentCut& cut, const SewnMesh& sewn, const std::vector<Eigen::Vector3d>& placed, GarmentFit fit, double stand_off) {
+  GarmentMesh mesh = garment_mesh(sewn, placed, cut.spec.name);
+  mesh.fit = std::move(fit), mesh.stand_off = stand_off, mesh.order = cut.spec.order;
+  if (!cut.spec.zone.empty())
+    for (const int piece : sewn.triangle_piece) mesh.triangle_zone.push_back(zone_of_piece(cut.spec, sewn.pieces[piece]));
+  name_edges(cut, sewn, mesh);
+  return mesh;
+}
+
+/// As many triangles as a tube of that size as worn has: stretched one way, they are longer that way and shorter the other.
+double flat_cell(const GarmentCut& cut, double worn_size, double stretch) {
+  return cut.spec.cell_size > 0.0 ? cut.spec.cell_size : worn_size / std::sqrt(stretch);
+}
+
+/// A garment on a body that branches.
+struct OnBody {
+  CheckedPattern pattern;
+  SewnMesh sewn;
+  PlacedGarment placed;
+  GarmentFit fit;
+};
+
+OnBody place_on_body(const GarmentCut& cut, const DressForm& form, double cell, double lift) {
+  OnBody on{cut.pattern ? *cut.pattern : tube_pattern(cut.spec), {}, {}, {}};
+  on.sewn = mesh_pattern(on.pattern, cell);
+  PlacementOptions options;
+  options.clearance += lift - usual_lift;
+  if (cut.spec.position) options.lowest = *cut.spec.position + form.body.translation.z();
+  on.placed = place_garment(on.pattern, on.sewn, form, options);
+  check_accepted(on.placed, on.pattern.pattern);
+  on.fit = fit_on_body(on.sewn, on.placed, form);
+  return on;
 }
 
 }  // namespace
@@ -81,6 +118,8 @@ CutSize size_of(const GarmentCut& cut) {
   return size;
 }
 
+std::size_t openings_of(const GarmentCut& cut) { return cut.pattern ? cut.pattern->sewing.open.size() : 2; }
+
 double rise_of(const GarmentCut& cut) {
   if (!cut.pattern) return cut.spec.pattern.length;
   const TubeChart chart = tube_chart(mesh_pattern(*cut.pattern, coarse_cell(cut)), cut.spec.bottom, cut.spec.where);
@@ -88,21 +127,25 @@ double rise_of(const GarmentCut& cut) {
 }
 
 GarmentFit placed_fit(const GarmentCut& cut, const Limb& limb) {
-  return cut.pattern ? place_on_limb(mesh_pattern(*cut.pattern, coarse_cell(cut)), cut.spec, limb, 2e-4).fit : tube_fit(cut.spec);
+  return cut.pattern ? place_on_limb(mesh_pattern(*cut.pattern, coarse_cell(cut)), cut.spec, limb, usual_lift).fit : tube_fit(cut.spec);
 }
+
+GarmentFit placed_fit(const GarmentCut& cut, const DressForm& form) { return place_on_body(cut, form, coarse_cell(cut), usual_lift).fit; }
 
 GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift) {
   if (!cut.pattern) return make_tube_mesh(cut.spec, limb, worn_size, lift);
-  // As many triangles as a tube of that size as worn has: stretched one way, they are longer that way and shorter the other.
-  const double cell = cut.spec.cell_size > 0.0 ? cut.spec.cell_size : worn_size / std::sqrt(mean_stretch(placed_fit(cut, limb), limb));
-  const SewnMesh sewn = mesh_pattern(*cut.pattern, cell);
+  const double stretch = cut.spec.cell_size > 0.0 ? 1.0 : mean_stretch(mean_fit(placed_fit(cut, limb), limb));
+  const SewnMesh sewn = mesh_pattern(*cut.pattern, flat_cell(cut, worn_size, stretch));
   LimbPlacement placement = place_on_limb(sewn, cut.spec, limb, lift);
-  GarmentMesh mesh = garment_mesh(sewn, placement.placed, cut.spec.name);
-  mesh.fit = std::move(placement.fit), mesh.stand_off = placement.stand_off, mesh.order = cut.spec.order;
-  if (!cut.spec.zone.empty())
-    for (const int piece : sewn.triangle_piece) mesh.triangle_zone.push_back(zone_of_piece(cut.spec, sewn.pieces[piece]));
-  name_edges(cut, sewn, mesh);
-  return mesh;
+  return finished(cut, sewn, placement.placed, std::move(placement.fit), placement.stand_off);
+}
+
+GarmentMesh make_garment_mesh(const GarmentCut& cut, const DressForm& form, double worn_size, double lift) {
+  const double stretch = cut.spec.cell_size > 0.0 ? 1.0 : mean_stretch(mean_fit(placed_fit(cut, form)));
+  OnBody on = place_on_body(cut, form, flat_cell(cut, worn_size, stretch), lift);
+  for (Eigen::Vector3d& place : on.placed.places) place = form.body.in_file(place);
+  const double off = stand_off(on.fit);
+  return finished(cut, on.sewn, on.placed.places, std::move(on.fit), off);
 }
 
 }  // namespace snug::mesh

@@ -7,6 +7,7 @@
 
 #include "mesh/garment/garment_mesh.hpp"
 #include "mesh/pattern/checks.hpp"
+#include "mesh/placement/dress_form.hpp"
 
 namespace snug::mesh {
 
@@ -24,15 +25,23 @@ struct CutSize {
 };
 CutSize size_of(const GarmentCut& cut);
 
+/// How many open edges it has when sewn.
+std::size_t openings_of(const GarmentCut& cut);
+
 /// How far up it reaches from its lowest point, m, along the cloth.
 double rise_of(const GarmentCut& cut);
 
 /// How wide it is by height where it is placed; of a pattern with coarse cells. Throws as make_garment_mesh does.
 GarmentFit placed_fit(const GarmentCut& cut, const Limb& limb);
+GarmentFit placed_fit(const GarmentCut& cut, const DressForm& form);
 
 /// A tube as make_tube_mesh has it; of a pattern the pieces meshed with edges of about `worn_size` as worn (`spec.cell_size` on
 /// the pattern where the case gives one), sewn, and placed as place_on_limb does. Open edges have the pattern's names; edges of pieces that the
 /// garment is held at ("front.waist") theirs. Throws input::InputError.
 GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift = 2e-4);
+/// The same on a body that branches, placed as place_garment does: 2 mm off the skin, and farther by what `lift` is more than there. A tube is
+/// the pattern of one piece that it is (tube_pattern). Its lowest point is laid at `spec.position` where that is given. Throws
+/// input::InputError also where the placed shape is not accepted.
+GarmentMesh make_garment_mesh(const GarmentCut& cut, const DressForm& form, double worn_size, double lift = 2e-4);
 
 }  // namespace snug::mesh

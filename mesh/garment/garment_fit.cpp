@@ -17,6 +17,14 @@ FitRow GarmentFit::at(double height) const {
   return row;
 }
 
+std::vector<FitRow> LimbFit::some_rows(int count) const {
+  const int all = static_cast<int>(rows.size());
+  if (all <= count) return rows;
+  std::vector<FitRow> some;
+  for (int n = 0; n < count; ++n) some.push_back(rows[(2 * n + 1) * all / (2 * count)]);
+  return some;
+}
+
 MeanFit mean_fit(const GarmentFit& fit, const Limb& limb) {
   constexpr int rows = 32;
   MeanFit mean;
@@ -30,6 +38,19 @@ MeanFit mean_fit(const GarmentFit& fit, const Limb& limb) {
   if (!(share > 0.0)) return mean;
   mean.area = mean.body_girth * fit.length() / rows;
   mean.body_girth /= share, mean.garment_girth /= share;
+  mean.stretch = mean.garment_girth > 0.0 ? mean.body_girth / mean.garment_girth : 0.0;
+  return mean;
+}
+
+MeanFit mean_fit(const GarmentFit& fit) {
+  constexpr double all_round = 0.999;
+  MeanFit mean;
+  int count = 0;
+  for (const LimbFit& limb : fit.limbs)
+    for (const FitRow& row : limb.rows)
+      if (row.cover > all_round) ++count, mean.body_girth += row.body, mean.garment_girth += row.girth;
+  if (count == 0) return mean;
+  mean.body_girth /= count, mean.garment_girth /= count;
   mean.stretch = mean.garment_girth > 0.0 ? mean.body_girth / mean.garment_girth : 0.0;
   return mean;
 }

@@ -26,7 +26,7 @@ void check(const input::GarmentSpec& spec, const TubeGirth& girth, const Limb& l
     throw InputError(spec.where, fmt::format("the cell size is {:g} mm", 1e3 * cell_size),
                      "write a positive cell_size, or leave it out to take the skin's");
   constexpr double tolerance = 1e-9;  // m, so that a garment of the limb's whole length fits
-  const double lower = spec.position, upper = spec.position + pattern.length;
+  const double lower = input::lowest_point(spec), upper = lower + pattern.length;
   if (lower < limb.lower - tolerance || upper > limb.upper + tolerance)
     throw InputError(spec.where,
                      fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm",
@@ -51,7 +51,7 @@ void place(const input::GarmentSpec& spec, const TubeGirth& girth, const Limb& l
   std::map<double, GirthCurve> curves;  // the nodes of an edge share a height
   for (std::size_t n = 0; n < mesh.pattern.size(); ++n) {
     const Eigen::Vector2d& x = mesh.pattern[mesh.merged[n]];
-    const double z = spec.position + x.y();
+    const double z = *spec.position + x.y();
     auto it = curves.find(z);
     if (it == curves.end()) it = curves.emplace(z, GirthCurve(limb, z, girth(x.y()), lift, limb.skin->turn_at_angle(seam, z))).first;
     const GirthCurve& curve = it->second;
@@ -107,7 +107,7 @@ double mean_stretch(const input::GarmentSpec& spec, const TubeGirth& girth, cons
   double sum = 0.0;
   for (int i = 0; i < samples; ++i) {
     const double height = (i + 0.5) / samples * spec.pattern.length;
-    sum += std::max(1.0, limb.girth(spec.position + height) / girth(height));
+    sum += std::max(1.0, limb.girth(*spec.position + height) / girth(height));
   }
   return std::round(1e3 * sum / samples) / 1e3;
 }
@@ -146,7 +146,8 @@ namespace {
 
 std::vector<FitRow> tube_rows(const input::GarmentSpec& spec) {
   const TubeGirth girth(spec.pattern);
-  if (!spec.pattern.graduated() && spec.zone.empty()) return {{spec.position, girth.mean(), 1.0}};
+  const double lower = input::lowest_point(spec);
+  if (!spec.pattern.graduated() && spec.zone.empty()) return {{lower, girth.mean(), 1.0}};
   constexpr int steps = 48;
   constexpr double beside = 1e-9;  // m: zones change at once
   std::vector<double> heights;
@@ -155,7 +156,7 @@ std::vector<FitRow> tube_rows(const input::GarmentSpec& spec) {
   std::sort(heights.begin(), heights.end());
   std::vector<FitRow> rows;
   for (const double height : heights) {
-    FitRow row{spec.position + height, girth(height), 1.0, std::vector<double>(spec.zone.size(), 0.0)};
+    FitRow row{.height = lower + height, .girth = girth(height), .zones = std::vector<double>(spec.zone.size(), 0.0)};
     if (const int zone = zone_at(spec, height); zone >= 0) row.zones[zone] = 1.0;
     rows.push_back(std::move(row));
   }
@@ -166,8 +167,8 @@ std::vector<FitRow> tube_rows(const input::GarmentSpec& spec) {
 
 GarmentFit tube_fit(const input::GarmentSpec& spec) {
   return {.rows = tube_rows(spec),
-          .lower = spec.position,
-          .upper = spec.position + spec.pattern.length,
+          .lower = *spec.position,
+          .upper = *spec.position + spec.pattern.length,
           .warp_along = spec.warp == input::WarpDirection::along};
 }
 

@@ -135,7 +135,7 @@ bool warp_runs_up(const SewnMesh& sewn, const std::vector<ChartPlace>& places) {
 class Placement {
  public:
   Placement(const SewnMesh& sewn, const input::GarmentSpec& spec, const Limb& limb, double lift)
-      : sewn_(sewn), spec_(spec), limb_(limb), lift_(lift), chart_(tube_chart(sewn, spec.bottom, spec.where)),
+      : sewn_(sewn), spec_(spec), limb_(limb), lift_(lift), position_(input::lowest_point(spec)), chart_(tube_chart(sewn, spec.bottom, spec.where)),
         facing_(facing(sewn, chart_, spec.seam)) {}
 
   LimbPlacement take() {
@@ -152,8 +152,8 @@ class Placement {
   /// Lengths of the chart become heights on the limb.
   void lay() {
     const LimbSheet skin(limb_, GarmentFit{}, lift_, facing_.angle);
-    const double first = skin.length_to(spec_.position);
-    double highest = spec_.position;
+    const double first = skin.length_to(position_);
+    double highest = position_;
     places_.resize(sewn_.flat.size());
     for (std::size_t n = 0; n < places_.size(); ++n) {
       places_[n] = {chart_.round[n] - facing_.round, skin.height_after(first + chart_.up[n])};
@@ -164,17 +164,17 @@ class Placement {
 
   void check_range(double highest) const {
     const double tolerance = 1e-9 + beyond_the_end * sewn_.mean_edge;  // m
-    if (spec_.position < limb_.lower - 1e-9 || highest > limb_.upper + tolerance)
+    if (position_ < limb_.lower - 1e-9 || highest > limb_.upper + tolerance)
       throw InputError(spec_.where,
-                       fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm", 1e3 * spec_.position,
+                       fmt::format("the garment covers heights {:.1f} to {:.1f} mm, the body {:.1f} to {:.1f} mm", 1e3 * position_,
                                    1e3 * highest, 1e3 * limb_.lower, 1e3 * limb_.upper),
                        "move it (position), shorten it (pattern.length_scale), or let the body reach further");
   }
 
   /// The lowest point back to where the case has it, and nothing beyond the ends of the limb.
   void settle() {
-    const double shift = spec_.position - lowest();
-    double highest = spec_.position;
+    const double shift = position_ - lowest();
+    double highest = position_;
     for (std::size_t n = 0; n < places_.size(); ++n) {
       places_[n].height += shift;
       if (is_vertex(n)) highest = std::max(highest, places_[n].height);
@@ -244,7 +244,7 @@ class Placement {
   const SewnMesh& sewn_;
   const input::GarmentSpec& spec_;
   const Limb& limb_;
-  double lift_;
+  double lift_, position_;
   TubeChart chart_;
   Facing facing_;
   std::vector<ChartPlace> places_;  // of the vertices, by representative

@@ -260,12 +260,45 @@ Criterion open_edges(const OpenLoops& open, const DressForm& form, std::optional
   return {"each open edge goes round its limb", fmt::format("{}", fmt::join(texts, ", ")), fits(limbs, kind)};
 }
 
+/// m, from a point to the nearest triangle of the body that is skin, and to the nearest that is a lid over a cut; infinite beyond 60 mm.
+std::array<double, 2> distances(const DressForm& form, const Vector3d& p) {
+  std::array<double, 2> nearest;
+  for (double reach = 0.015; reach < 0.1; reach *= 2.0) {
+    nearest.fill(std::numeric_limits<double>::infinity());
+    const Eigen::AlignedBox3d box(p - Vector3d::Constant(reach), p + Vector3d::Constant(reach));
+    form.bins.any(box, [&](int t) {
+      double& least = nearest[form.body.is_skin(t) ? 0 : 1];
+      least = std::min(least, distance_to_triangle(p, form.triangle(t)));
+      return false;
+    });
+    if (std::min(nearest[0], nearest[1]) < reach) break;
+  }
+  return nearest;
+}
+
+/// Beyond a cut the rim is nearest, which belongs to the skin and to the lid alike.
+Criterion edges_on_skin(const OpenLoops& open, const DressForm& form) {
+  constexpr double overhang = 0.005;  // m
+  std::string fault;
+  for (const auto& [name, loop] : open) {
+    double farthest = 0.0;
+    for (const Vector3d& p : loop) {
+      const auto [skin, lid] = distances(form, p);
+      if (!(lid > skin + 1e-9)) farthest = std::max(farthest, std::min(lid, 0.1));
+    }
+    if (farthest > overhang) fault += fmt::format("{}{} reaches {:.0f} mm beyond a cut", fault.empty() ? "" : ", ", name, 1e3 * farthest);
+  }
+  return {"every open edge lies over skin", fault.empty() ? "it does" : fault, fault.empty()};
+}
+
 }  // namespace
 
 std::vector<Criterion> acceptance(const ClothTriangles& cloth, const Places& places, const OpenLoops& open,
                                   const DressForm& form, std::optional<GarmentKind> kind) {
-  return {no_crossings(cloth, places, form), outside(cloth, places, form),           bounded_stretch(cloth, places),
-          no_hard_folds(cloth, places),      round_limbs(cloth, places, open, form), open_edges(open, form, kind)};
+  std::vector<Criterion> all = {no_crossings(cloth, places, form), outside(cloth, places, form),           bounded_stretch(cloth, places),
+                                no_hard_folds(cloth, places),      round_limbs(cloth, places, open, form), open_edges(open, form, kind)};
+  if (form.body.is_cut()) all.push_back(edges_on_skin(open, form));
+  return all;
 }
 
 }  // namespace snug::mesh

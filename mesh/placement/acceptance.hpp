@@ -42,7 +42,7 @@ using OpenLoops = std::map<std::string, std::vector<Eigen::Vector3d>>;
 
 /// The tests of a placed, sewn garment, one after the other: no triangle crosses the body and none is inside; stretches
 /// from 0.3 to 3; no edge folded by more than 150 degrees; the cloth goes once round each limb at every height where
-/// its section is closed, its outside out; each open edge goes round the limb that it should. `kind` left out: garments
+/// its section is closed, its outside out; each open edge goes round the limb that it should; on a body that is cut, each lies over skin. `kind` left out: garments
 /// whose pieces were given places; their open edges go round some limb each, no arm, leg or neck twice.
 std::vector<Criterion> acceptance(const ClothTriangles& cloth, const std::vector<Eigen::Vector3d>& places,
                                   const OpenLoops& open, const DressForm& form, std::optional<GarmentKind> kind);

@@ -64,7 +64,7 @@ double closed_length(const std::vector<Vector2d>& points) {
 }
 
 BodySections::BodySections(const BodySurface& body)
-    : vertices_(&body.surface.vertices), stature_(body.stature), layer_(body.stature / 200.0), layers_(201) {
+    : vertices_(&body.surface.vertices), stature_(body.stature), scale_(body.scale), layer_(body.stature / 200.0), layers_(201) {
   const auto layer = [&](double z) { return static_cast<std::size_t>(std::clamp(z / layer_, 0.0, 200.0)); };
   for (const auto& t : body.surface.triangles) {
     const auto [low, high] = std::minmax({(*vertices_)[t[0]].z(), (*vertices_)[t[1]].z(), (*vertices_)[t[2]].z()});
@@ -80,14 +80,14 @@ std::vector<SectionLoop> BodySections::at(double z) const {
 std::optional<SectionLoop> BodySections::trunk(double z) const {
   return largest(at(z), [&](const SectionLoop& loop) {
     const Range x = across(loop);
-    return x.least < -0.024 * stature_ && x.largest > 0.024 * stature_;
+    return x.least < -0.024 * scale_ && x.largest > 0.024 * scale_;
   });
 }
 
 std::optional<SectionLoop> BodySections::leg(Side side, double z) const {
   return largest(at(z), [&](const SectionLoop& loop) {
     const double x = sign_of(side) * loop.centroid.x();
-    return x > 0.0 && x < 0.12 * stature_;
+    return x > 0.0 && x < 0.12 * scale_;
   });
 }
 
@@ -103,48 +103,98 @@ std::optional<SectionLoop> BodySections::arm(Side side, double z, double x) cons
 
 namespace {
 
-double find_crotch(const BodySections& sections, const input::Location& where) {
-  const double height = sections.stature();
-  for (double z = 0.3 * height; z < 0.6 * height; z += 0.0012 * height)
-    if (sections.trunk(z)) return z;
-  throw InputError(where, "the legs of the body do not meet between 0.3 and 0.6 of its height",
-                   "give a whole standing body, and the axis of the file that points up");
-}
+/// Landmarks of a body that may be a part of one: found from below, each where those before it let it be.
+class Search {
+ public:
+  Search(const BodySections& sections, const BodySurface& body)
+      : sections_(sections), body_(body), height_(sections.stature()), scale_(sections.scale()) {}
 
-double find_ankle(const BodySections& sections) {
-  const double height = sections.stature();
-  double ankle = 0.035 * height, least = std::numeric_limits<double>::max();
-  for (double z = 0.035 * height; z < 0.12 * height; z += 0.0018 * height)
-    if (const auto leg = sections.leg(Side::right, z); leg && leg->girth < least) least = leg->girth, ankle = z;
-  return ankle;
-}
-
-/// The armpit is where the trunk's section is 1.2 times wider at once.
-void find_armpit(const BodySections& sections, const input::Location& where, Landmarks& marks) {
-  const double height = sections.stature(), step = 0.0012 * height;
-  double before = 0.0;
-  for (double z = 0.65 * height; z < 0.9 * height; z += step) {
-    const auto trunk = sections.trunk(z);
-    if (!trunk) continue;
-    const Range x = across(*trunk);
-    const double width = x.largest - x.least;
-    if (before > 0.0 && width > 1.2 * before) {
-      marks.armpit = z - step, marks.armpit_half_width = 0.5 * before;
-      return;
-    }
-    before = width;
+  Landmarks operator()() {
+    find_crotch();
+    find_ankle();
+    find_armpit();
+    find_neck();
+    find_girths();
+    return marks_;
   }
-  throw InputError(where, "the arms of the body are not apart from its trunk between 0.65 and 0.9 of its height",
-                   "give a body with its arms held away from the trunk");
-}
 
-double find_neck(const BodySections& sections, double armpit) {
-  const double height = sections.stature();
-  double neck = 0.9 * height, least = std::numeric_limits<double>::max();
-  for (double z = armpit + 0.03 * height; z < 0.95 * height; z += 0.003 * height)
-    if (const auto trunk = sections.trunk(z); trunk && trunk->girth < least) least = trunk->girth, neck = z;
-  return neck;
-}
+ private:
+  /// Of a whole body feet and knees may touch; of one that is cut nothing is known of its heights.
+  void find_crotch() {
+    const double from = body_.is_cut() ? 1e-3 * height_ : 0.3 * height_, to = body_.is_cut() ? height_ : 0.6 * height_;
+    for (marks_.crotch = from; marks_.crotch < to && !sections_.trunk(marks_.crotch);) marks_.crotch += 0.0012 * scale_;
+    if (!(marks_.crotch < to))
+      throw InputError(body_.where, body_.is_cut() ? "no section of the skin reaches across the middle of the body" : "the legs of the body do not meet between 0.3 and 0.6 of its height",
+                       body_.is_cut() ? "a garment with several openings goes on a trunk, with legs or arms or without, z up and y to the front"
+                                      : "give a whole standing body, and the axis of the file that points up");
+    marks_.legs = marks_.crotch > from;
+    if (!marks_.legs) marks_.crotch = 0.0;
+  }
+
+  void find_ankle() {
+    if (!marks_.legs) return;
+    double cut = 0.0;
+    for (std::size_t t = 0; t < body_.surface.triangles.size(); ++t)
+      for (const int vertex : body_.surface.triangles[t])
+        if (const double z = body_.surface.vertices[vertex].z(); !body_.is_skin(t) && z < marks_.crotch) cut = std::max(cut, z), cut_legs_ = true;
+    marks_.ankle = cut;
+    if (cut_legs_) return;
+    marks_.ankle = 0.035 * scale_;
+    double least = std::numeric_limits<double>::max();
+    for (double z = 0.035 * scale_; z < 0.12 * scale_; z += 0.0018 * scale_)
+      if (const auto leg = sections_.leg(Side::right, z); leg && leg->girth < least) least = leg->girth, marks_.ankle = z;
+  }
+
+  /// The armpit is where the trunk's section is 1.2 times wider at once.
+  void find_armpit() {
+    const double from = !body_.is_cut() ? 0.65 * height_ : marks_.legs ? marks_.crotch + 0.18 * scale_ : 0.02 * scale_;
+    const double to = body_.is_cut() ? height_ : 0.9 * height_, step = 0.0012 * scale_;
+    double before = 0.0;
+    for (double z = from; z < to; z += step) {
+      const auto trunk = sections_.trunk(z);
+      if (!trunk) continue;
+      const Range x = across(*trunk);
+      const double width = x.largest - x.least;
+      marks_.armpit = z - step, marks_.armpit_half_width = 0.5 * before;
+      if (before > 0.0 && width > 1.2 * before) return;
+      before = width;
+    }
+    if (!body_.is_cut())
+      throw InputError(body_.where, "the arms of the body are not apart from its trunk between 0.65 and 0.9 of its height",
+                       "give a body with its arms held away from the trunk");
+    marks_.arms = false;
+    marks_.armpit = height_;
+  }
+
+  void find_neck() {
+    marks_.neck = height_;
+    if (!marks_.arms) return;
+    const double to = body_.is_cut() ? height_ : 0.95 * height_;
+    double least = std::numeric_limits<double>::max();
+    for (double z = marks_.armpit + 0.03 * scale_; z < to; z += 0.003 * scale_)
+      if (const auto trunk = sections_.trunk(z); trunk && trunk->girth < least) least = trunk->girth, marks_.neck = z;
+  }
+
+  void find_girths() {
+    const double below_arms = marks_.arms ? marks_.armpit - 0.03 * scale_ : height_;
+    marks_.waist_girth = std::numeric_limits<double>::max();
+    for (double z = marks_.crotch + 0.012 * scale_; z < marks_.armpit; z += 0.003 * scale_) {
+      const auto trunk = sections_.trunk(z);
+      if (!trunk) continue;
+      const double girth = taped_girth(*trunk);
+      if (marks_.legs && z < marks_.crotch + 0.12 * scale_ && girth > marks_.seat_girth) marks_.seat_girth = girth, marks_.seat = z;
+      if (z > marks_.crotch + (marks_.legs ? 0.07 * scale_ : 0.0) && z < below_arms && girth < marks_.waist_girth)
+        marks_.waist_girth = girth, marks_.waist = z;
+      if (marks_.arms && z > marks_.armpit - 0.07 * scale_) marks_.chest_girth = std::max(marks_.chest_girth, girth);
+    }
+  }
+
+  const BodySections& sections_;
+  const BodySurface& body_;
+  double height_, scale_;
+  bool cut_legs_ = false;
+  Landmarks marks_;
+};
 
 }  // namespace
 
@@ -156,24 +206,6 @@ double shoulder_top(const BodySurface& body, const Landmarks& marks, double x) {
   return top;
 }
 
-Landmarks find_landmarks(const BodySections& sections, const input::Location& where) {
-  Landmarks marks;
-  marks.crotch = find_crotch(sections, where);
-  marks.ankle = find_ankle(sections);
-  find_armpit(sections, where, marks);
-  marks.neck = find_neck(sections, marks.armpit);
-  const double height = sections.stature();
-  marks.waist_girth = std::numeric_limits<double>::max();
-  for (double z = marks.crotch + 0.012 * height; z < marks.armpit; z += 0.003 * height) {
-    const auto trunk = sections.trunk(z);
-    if (!trunk) continue;
-    const double girth = taped_girth(*trunk);
-    if (z < marks.crotch + 0.12 * height && girth > marks.seat_girth) marks.seat_girth = girth, marks.seat = z;
-    if (z > marks.crotch + 0.07 * height && z < marks.armpit - 0.03 * height && girth < marks.waist_girth)
-      marks.waist_girth = girth, marks.waist = z;
-    if (z > marks.armpit - 0.07 * height) marks.chest_girth = std::max(marks.chest_girth, girth);
-  }
-  return marks;
-}
+Landmarks find_landmarks(const BodySections& sections, const BodySurface& body) { return Search(sections, body)(); }
 
 }  // namespace snug::mesh

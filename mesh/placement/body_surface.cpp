@@ -36,28 +36,6 @@ Matrix3d upright(const BodyAxes& axes, const input::Location& where) {
   return rotation;
 }
 
-/// Each edge is walked as often one way as the other: the surface encloses something, though more than two triangles
-/// may share an edge, as they do where a scan touches itself.
-void check_encloses(const TriangleSurface& surface, const input::Location& where) {
-  std::map<std::array<int, 2>, int> balance;
-  for (const auto& t : surface.triangles)
-    for (int n = 0; n < 3; ++n) {
-      const int a = t[n], b = t[(n + 1) % 3];
-      balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
-    }
-  const auto open = [](const auto& edge) { return edge.second != 0; };
-  const auto count = std::count_if(balance.begin(), balance.end(), open);
-  if (count == 0) return;
-  const auto& [ends, difference] = *std::find_if(balance.begin(), balance.end(), open);
-  const Vector3d &a = surface.vertices[ends[0]], &b = surface.vertices[ends[1]];
-  throw InputError(
-      where,
-      fmt::format("the surface is open, or its triangles are not turned one way: {} edges, one of them from ({:.4g}, "
-                  "{:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
-                  count, a.x(), a.y(), a.z(), b.x(), b.y(), b.z()),
-      "close its holes and unify its normals in the scanner's program");
-}
-
 double volume(const TriangleSurface& surface) {
   double sum = 0.0;
   const Vector3d origin = surface.vertices[0];
@@ -115,14 +93,34 @@ Vector2d find_front(const TriangleSurface& surface, double stature, const Shanks
 
 }  // namespace
 
+void check_encloses(const TriangleSurface& surface, const input::Location& where) {
+  std::map<std::array<int, 2>, int> balance;
+  for (const auto& t : surface.triangles)
+    for (int n = 0; n < 3; ++n) {
+      const int a = t[n], b = t[(n + 1) % 3];
+      balance[{std::min(a, b), std::max(a, b)}] += a < b ? 1 : -1;
+    }
+  const auto open = [](const auto& edge) { return edge.second != 0; };
+  const auto count = std::count_if(balance.begin(), balance.end(), open);
+  if (count == 0) return;
+  const auto& [ends, difference] = *std::find_if(balance.begin(), balance.end(), open);
+  const Vector3d &a = surface.vertices[ends[0]], &b = surface.vertices[ends[1]];
+  throw InputError(
+      where,
+      fmt::format("the surface is open, or its triangles are not turned one way: {} edges, one of them from ({:.4g}, "
+                  "{:.4g}, {:.4g}) to ({:.4g}, {:.4g}, {:.4g})",
+                  count, a.x(), a.y(), a.z(), b.x(), b.y(), b.z()),
+      "close its holes and unify its normals in the scanner's program");
+}
+
 BodySurface standing_body(TriangleSurface in_file, const BodyAxes& axes, const input::Location& where) {
   check_encloses(in_file, where);
   const Matrix3d rotation = upright(axes, where);
   for (Vector3d& vertex : in_file.vertices) vertex = rotation * (axes.unit * vertex);
   const auto lower = [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); };
   const auto [low, high] = std::minmax_element(in_file.vertices.begin(), in_file.vertices.end(), lower);
-  BodySurface body{std::move(in_file), high->z() - low->z()};
-  body.where = where;
+  BodySurface body{.surface = std::move(in_file), .stature = high->z() - low->z(), .where = where};
+  body.scale = body.stature;
   const double bottom = low->z();
   for (Vector3d& vertex : body.surface.vertices) vertex.z() -= bottom;
   orient(body.surface, body.stature, where);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -21,7 +22,7 @@ Vector3d centre(const SectionLoop& loop, double z) { return {loop.centroid.x(), 
 
 /// Down the trunk to a height, from above the head.
 Path down_trunk(const DressForm& form, double to) {
-  const double step = 0.006 * form.body.stature;
+  const double step = 0.006 * form.body.scale;
   Path path;
   for (double z = form.body.stature - step; z > to; z -= step)
     if (const auto trunk = form.sections.trunk(z)) {
@@ -33,7 +34,8 @@ Path down_trunk(const DressForm& form, double to) {
 
 /// Through the shoulder, just above the armpit, down the middles of the arm's sections and off to the side.
 Path out_of_arm(const DressForm& form, Side side) {
-  const double step = 0.006 * form.body.stature, over = form.marks.armpit + 2.0 * step;
+  if (!form.marks.arms) return {};
+  const double step = 0.006 * form.body.scale, over = form.marks.armpit + 2.0 * step;
   Path path = down_trunk(form, over);
   for (double z = form.marks.armpit - step; z > 0.0; z -= step) {
     const auto arm = form.sections.arm(side, z, form.marks.armpit_half_width);
@@ -46,12 +48,12 @@ Path out_of_arm(const DressForm& form, Side side) {
 }
 
 Path out_of_leg(const DressForm& form, Side side) {
-  const double step = 0.006 * form.body.stature;
+  const double step = 0.006 * form.body.scale;
   Path path = down_trunk(form, form.marks.crotch + step);
-  for (double z = form.marks.crotch - step; z > form.marks.ankle; z -= step)
+  for (double z = form.marks.crotch - step; z > form.marks.ankle; z -= step)  // none without legs
     if (const auto leg = form.sections.leg(side, z)) path.push_back(centre(*leg, z));
   if (!path.empty()) path.emplace_back(path.back().x(), path.back().y(), -beyond);
-  return path;
+  return path;  // without legs: out of the trunk's lower end
 }
 
 /// Linking number of a closed line with one from far away to far away: how often that passes through the fan of
@@ -71,7 +73,7 @@ int linking_number(const Path& loop, const Path& path) {
 DressForm::DressForm(BodySurface surface, double cell)
     : body(std::move(surface)),
       sections(body),
-      marks(find_landmarks(sections, body.where)),
+      marks(find_landmarks(sections, body)),
       distance(body.surface, cell),
       bins(body.surface.vertices, body.surface.triangles, bin_size) {}
 
@@ -83,6 +85,32 @@ double winding_number(const TriangleSurface& surface, const Vector3d& p) {
     sum += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return sum / (4.0 * std::numbers::pi);
+}
+
+double LimbSection::off(const Eigen::Vector2d& p) const { return (p - loop.centroid).norm() - 0.5 * loop.girth / std::numbers::pi; }
+
+std::vector<LimbSection> limbs_at(const DressForm& form, double z) {
+  std::vector<LimbSection> limbs;
+  const auto add = [&](BodyPart part, std::optional<SectionLoop> loop) {
+    if (loop) limbs.push_back({part, std::move(*loop)});
+  };
+  if (z < form.marks.crotch) {
+    add(BodyPart::right_leg, form.sections.leg(Side::right, z));
+    add(BodyPart::left_leg, form.sections.leg(Side::left, z));
+    return limbs;
+  }
+  add(BodyPart::trunk, form.sections.trunk(z));
+  if (!form.marks.arms || z >= form.marks.armpit) return limbs;
+  add(BodyPart::right_arm, form.sections.arm(Side::right, z, form.marks.armpit_half_width));
+  add(BodyPart::left_arm, form.sections.arm(Side::left, z, form.marks.armpit_half_width));
+  return limbs;
+}
+
+std::optional<LimbSection> limb_at(const DressForm& form, const Vector3d& p) {
+  std::vector<LimbSection> limbs = limbs_at(form, p.z());
+  if (limbs.empty()) return std::nullopt;
+  const Eigen::Vector2d at = p.head<2>();
+  return std::move(*std::min_element(limbs.begin(), limbs.end(), [&](const auto& a, const auto& b) { return a.off(at) < b.off(at); }));
 }
 
 LimbPaths::LimbPaths(const DressForm& form)

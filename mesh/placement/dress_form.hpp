@@ -43,6 +43,18 @@ constexpr auto texts_of(BodyPart) {
   return std::array{"nothing", "neck", "trunk", "right arm", "left arm", "right leg", "left leg"};
 }
 
+/// A limb in a horizontal section.
+struct LimbSection {
+  BodyPart part = BodyPart::trunk;
+  SectionLoop loop;
+  /// m, roughly how far outside it a point is.
+  double off(const Eigen::Vector2d& p) const;
+};
+/// At a height (m): the trunk, beside it the arms up to the armpits, or below the crotch the legs.
+std::vector<LimbSection> limbs_at(const DressForm& form, double z);
+/// The nearest of them to a point in the frame of the body; empty where there is none at its height.
+std::optional<LimbSection> limb_at(const DressForm& form, const Eigen::Vector3d& p);
+
 /// Lines inside the body from above the head out of each arm and leg.
 class LimbPaths {
  public:

@@ -1,5 +1,7 @@
 #include "mesh/placement/garment_chart.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +9,7 @@ namespace snug::mesh {
 
 namespace {
 
+using input::InputError;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -18,12 +21,16 @@ constexpr double width_spacing = 0.005;  // m
 }  // namespace
 
 GarmentChart::GarmentChart(const CheckedPattern& checked, const BodySections& sections, const Landmarks& marks,
-                           const BodySurface& body, double raise)
+                           const BodySurface& body, double raise, std::optional<double> lowest)
     : rings_(find_rings(checked)) {
-  if (rings_.kind == GarmentKind::legs) set_leg_heights(marks, raise);
+  check_body(marks, body);
+  if (rings_.kind == GarmentKind::legs) {
+    set_leg_heights(marks, raise, lowest);
+    check_legs(marks, body);
+  }
   if (rings_.kind == GarmentKind::tube) lift_ = marks.waist - rings_.top;
   if (rings_.kind == GarmentKind::shoulders) lift_ = strap_lift(body, marks);
-  lift_ += raise;
+  lift_ = lowest ? *lowest - rings_.hem : lift_ + raise;
   if (rings_.kind == GarmentKind::shoulders) find_half_widths(checked.pattern);
   rows_ = std::make_unique<SectionRows>(sections, marks, rings_.kind, fork_, [&](double z) {
     return std::max(marks.armpit_half_width, half_width(z) + beside_panel);
@@ -61,14 +68,35 @@ double GarmentChart::from_middle(const RingPiece& piece, const OnTrack& at) cons
   return piece.front == (at.side == Side::left) ? at.along : at.whole - at.along;
 }
 
-void GarmentChart::set_leg_heights(const Landmarks& marks, double raise) {
-  const double lowest = marks.ankle + above_ankle;
+void GarmentChart::set_leg_heights(const Landmarks& marks, double raise, std::optional<double> lowest) {
+  const double lowest_hem = marks.ankle + above_ankle;
   const double laid = marks.crotch - below_crotch + raise;  // of the fork, if it could be anywhere
   fork_ = std::min(laid, marks.crotch - below_crotch);
-  const double hem = std::max(laid + rings_.hem - rings_.fork, std::min(lowest, fork_)),
+  const double hem = lowest ? *lowest : std::max(laid + rings_.hem - rings_.fork, std::min(lowest_hem, fork_)),
                top = laid + rings_.top - rings_.fork;
   if (rings_.fork > rings_.hem) below_ = (fork_ - hem) / (rings_.fork - rings_.hem);
   if (rings_.top > rings_.fork) above_ = (top - fork_) / (rings_.top - rings_.fork);
+}
+
+void GarmentChart::check_body(const Landmarks& marks, const BodySurface& body) const {
+  if (rings_.kind == GarmentKind::legs && !marks.legs)
+    throw InputError(body.where, "the garment has two legs and the body has not", "give a body with the upper part of both thighs, or wear one leg (pattern.pieces) on one");
+  if (rings_.kind == GarmentKind::shoulders && !marks.arms)
+    throw InputError(body.where, "the garment hangs on shoulders and the body has none: its arms, or stumps of them, are nowhere apart from its trunk",
+                     "give a body that reaches above the armpits, or wear what is below them (pattern.to_height)");
+}
+
+/// Within bounds a leg is laid shorter or longer than it is; cloth that is too long gathers in folds when it is let go.
+void GarmentChart::check_legs(const Landmarks& marks, const BodySurface& body) const {
+  constexpr double shortest = 0.65, longest = 1.3;
+  if (below_ >= shortest && below_ <= longest) return;
+  const double leg = rings_.fork - rings_.hem;
+  throw InputError(body.where,
+                   fmt::format("the legs of the garment are {:.0f} mm long from fork to hem and would be laid on {:.0f} mm: the crotch is at {:.0f} mm, {} at {:.0f} mm over the "
+                               "lowest point of the body",
+                               1e3 * leg, 1e3 * below_ * leg, 1e3 * marks.crotch, body.is_cut() ? "the legs begin" : "the ankles", 1e3 * marks.ankle),
+                   below_ < shortest ? "wear a part of the legs (pattern.from_height), shorten them (pattern.length_scale), or lower the hem (position)"
+                                     : "lengthen them (pattern.length_scale), or raise the hem (position)");
 }
 
 double GarmentChart::height(double pattern_height) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mesh/placement/garment_rings.hpp"
@@ -15,12 +16,14 @@ namespace snug::mesh {
 ///
 /// Heights: the fork of legs 10 mm below the crotch, never higher; what is below it shortened where the hem would pass
 /// the ankle, what is above it lengthened where the garment is raised; seams on top of shoulders 10 mm above the body
-/// there; of tubes the upper edge at the waist.
+/// there; of tubes the upper edge at the waist. Where a lowest point is asked for, it is laid there: legs are
+/// shortened or lengthened between it and the fork, other garments moved as a whole.
 class GarmentChart {
  public:
-  /// `raise` (m): higher on the body than found.
+  /// `raise` (m): higher on the body than found. `lowest` (m): height of the lowest point. Throws input::InputError where the body has not
+  /// what the garment goes round, and where legs would be laid at less than 0.65 or more than 1.3 of their length.
   GarmentChart(const CheckedPattern& checked, const BodySections& sections, const Landmarks& marks,
-               const BodySurface& body, double raise);
+               const BodySurface& body, double raise, std::optional<double> lowest = {});
 
   /// m, frame of the body; of a point in the drawing of a piece.
   Eigen::Vector3d place(int piece, const Eigen::Vector2d& p) const;
@@ -37,7 +40,9 @@ class GarmentChart {
   OnTrack on_track(int piece, const Eigen::Vector2d& p, double pattern_height) const;
   double from_middle(const RingPiece& piece, const OnTrack& at) const;
   double height(double pattern_height) const;
-  void set_leg_heights(const Landmarks& marks, double raise);
+  void set_leg_heights(const Landmarks& marks, double raise, std::optional<double> lowest);
+  void check_body(const Landmarks& marks, const BodySurface& body) const;
+  void check_legs(const Landmarks& marks, const BodySurface& body) const;
   double strap_lift(const BodySurface& body, const Landmarks& marks) const;
   double half_width(double z) const;
   void find_half_widths(const Pattern& pattern);

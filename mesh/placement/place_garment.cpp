@@ -250,12 +250,14 @@ PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn,
   PlacedGarment placed;
   std::optional<GarmentChart> chart;
   if (!have_places(checked.pattern)) {
-    chart.emplace(checked, form.sections, form.marks, form.body, options.raise);
+    chart.emplace(checked, form.sections, form.marks, form.body, options.raise, options.lowest);
     placed.kind = chart->rings().kind;
   }
   Places start = chart ? charted_places(*chart, sewn, apart) : given_places(checked.pattern, sewn, apart, form);
   if (!chart) {
-    placed.lift = shoulder_lift(form, sewn, apart, start) + options.raise;
+    const auto lower = [](const Vector3d& a, const Vector3d& b) { return a.z() < b.z(); };
+    placed.lift = options.lowest ? *options.lowest - std::min_element(start.begin(), start.end(), lower)->z()
+                                 : shoulder_lift(form, sewn, apart, start) + options.raise;
     for (Vector3d& place : start) place.z() += placed.lift;
   }
   const bool legs = placed.kind == GarmentKind::legs;
@@ -263,6 +265,7 @@ PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn,
   const bool tight = stretch_figures(flat, principal_stretches(flat, start)).median > 1.05;
   ParticleStep step;
   step.compression = tight ? 0.05 : 0.3;
+  step.clearance = options.clearance;
   ClothParticles cloth(start, flat);
   if (legs) cloth.set_gap(gap_between_legs(*chart, form, sewn, apart.number));
   sew(checked, sewn, form, apart, cloth, step, options.sewing_steps, placed);

@@ -13,6 +13,8 @@ namespace snug::mesh {
 
 struct PlacementOptions {
   double raise = 0.0;       ///< m, higher on the body than it would be laid
+  std::optional<double> lowest = {};  ///< m, height of the lowest point as it is laid, instead
+  double clearance = 0.002;  ///< m, off the skin
   int sewing_steps = 100;   ///< at least; half of them close the seams, 3 mm a step at most
   int settling_steps = 80;  ///< of the sewn garment, its stiffness falling from 0.5 to 0.05
 };
@@ -38,7 +40,7 @@ struct PlacedGarment {
 
 /// Lays the pieces on the body, by the places that they bring (all of them or none; raised or lowered as a whole until
 /// what is sewn on top of the shoulders is a little above this body's) or by `GarmentChart`, draws the seams together
-/// with particles that stay 2 mm off the skin, merges, lets the cloth settle, and mends single places
+/// with particles that stay `clearance` off the skin, merges, lets the cloth settle, and mends single places
 /// (`mend`). Gravity has no part in it, and equilibrium is left to the solver. Mid-edge nodes lie on straight edges.
 /// Throws input::InputError: everything that `find_rings` refuses, some pieces with places and some without, and a seam
 /// that stays open by more than half an edge, with its pieces, gap and height. Whether the shape may be used is told by

@@ -121,7 +121,7 @@ Json fit_view(const Json& summary) {
   const bool alone = std::all_of(fit.begin(), fit.end(), [&](const Json& row) { return row.value("garment", "") == fit.front().value("garment", ""); });
   Json rows = Json::array();
   for (auto it = fit.rbegin(); it != fit.rend(); ++it)
-    rows.push_back({{"garment", alone ? "" : it->value("garment", "")},
+    rows.push_back({{"garment", (alone ? "" : it->value("garment", "") + " ") + it->value("limb", "")},
                     {"height", number(1e3 * value_at(*it, "height_m"))},
                     {"body", number(1e3 * value_at(*it, "body_girth_m"))},
                     {"girth", number(1e3 * value_at(*it, "garment_girth_m"))},

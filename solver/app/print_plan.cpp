@@ -65,7 +65,8 @@ std::string scan_text(const mesh::ScanReport& scan) {
 
 /// The garment against the mean girth it covers, as placed.
 std::string ease_text(const PreparedCase& prepared, const mesh::GarmentMesh& garment) {
-  const mesh::MeanFit mean = mesh::mean_fit(garment.fit, prepared.meshes.limb);
+  const mesh::MeanFit mean = prepared.meshes.form ? mesh::mean_fit(garment.fit) : mesh::mean_fit(garment.fit, prepared.meshes.limb);
+  if (!(mean.body_girth > 0.0)) return {};
   const double ease = mean.garment_girth / mean.body_girth - 1.0;
   return fmt::format("  {}: {:.0f} mm round as cut on a mean girth of {:.0f} mm, {:.1f} % {}\n",
                      garment.name, mean.garment_girth * 1e3, mean.body_girth * 1e3, std::abs(ease) * 100.0,
@@ -85,6 +86,16 @@ std::string fit_text(const mesh::GarmentFit& fit, const mesh::Limb& limb) {
   return text;
 }
 
+/// The same limb by limb.
+std::string fit_text(const std::vector<mesh::LimbFit>& limbs) {
+  std::string text = fmt::format("  {:<10} {:>11} {:>11} {:>13} {:>8} {:>8}\n", "limb", "height [mm]", "body [mm]", "garment [mm]", "ease %", "cover %");
+  for (const mesh::LimbFit& limb : limbs)
+    for (const mesh::FitRow& row : limb.some_rows(9))
+      text += fmt::format("  {:<10} {:>11.0f} {:>11.1f} {:>13.1f} {:>8.1f} {:>8.0f}\n", limb.limb, 1e3 * row.height, 1e3 * row.body, 1e3 * row.girth,
+                          100.0 * (row.girth / row.body - 1.0), 100.0 * row.cover);
+  return text;
+}
+
 }  // namespace
 
 std::string quality_text(const PreparedCase& prepared) {
@@ -101,7 +112,9 @@ std::string quality_text(const PreparedCase& prepared) {
     text += fmt::format("  {}: {} {} triangles, mean edge {:.1f} mm\n", garment.name, garment.triangles.size(),
                         garment.order == 2 ? "quadratic" : "linear", garment.mean_edge * 1e3) +
             ease_text(prepared, garment);
-    if (prepared.description.garments[g].pattern.sewn()) text += fit_text(garment.fit, prepared.meshes.limb);
+    if (!garment.fit.limbs.empty())
+      text += fit_text(garment.fit.limbs);
+    else if (prepared.description.garments[g].pattern.sewn()) text += fit_text(garment.fit, prepared.meshes.limb);
   }
   return text;
 }

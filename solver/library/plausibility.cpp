@@ -25,7 +25,7 @@ class Checks {
   std::vector<Diagnostic> operator()() {
     if (case_.body && case_.body->kind != input::BodyKind::stations) check_size();
     if (case_.body && case_.body->kind == input::BodyKind::scan && meshes_.limb.bone) check_shape();
-    if (meshes_.limb.skin)
+    if (meshes_.limb.skin || meshes_.form)
       for (std::size_t g = 0; g < fits_.size(); ++g) check_fit(case_.garments[g], fits_[g]);
     for (const GarmentModel& garment : model_.garments) {
       check_fabric(garment.fabric, garment.spec.fabric.where);
@@ -73,7 +73,8 @@ class Checks {
   }
 
   void check_fit(const input::GarmentSpec& garment, const mesh::GarmentFit& fit) {
-    const mesh::MeanFit mean = mesh::mean_fit(fit, meshes_.limb);
+    const mesh::MeanFit mean = meshes_.form ? mesh::mean_fit(fit) : mesh::mean_fit(fit, meshes_.limb);
+    if (!(mean.body_girth > 0.0)) return;
     const double cut = mean.garment_girth, girth = mean.body_girth;
     if (!(cut > 0.0) || !(fit.length() > 0.0)) return;
     const double ratio = cut / girth;

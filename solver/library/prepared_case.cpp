@@ -13,6 +13,7 @@
 #include "mesh/body/import.hpp"
 #include "mesh/body/import_shell.hpp"
 #include "mesh/body/scan.hpp"
+#include "mesh/placement/closed_skin.hpp"
 #include "postproc/evaluate.hpp"
 #include "solver/library/graduated.hpp"
 #include "solver/library/named_materials.hpp"
@@ -33,13 +34,41 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The part of an imported body that the garments are placed on, with a cell's margin.
-mesh::Limb limb_below(const std::vector<mesh::GarmentCut>& cuts, const mesh::BodyMesh& body) {
-  const double margin = body.mean_skin_cell;
-  double low = std::numeric_limits<double>::max(), high = -low;
-  for (const mesh::GarmentCut& cut : cuts)
-    low = std::min(low, cut.spec.position - margin), high = std::max(high, cut.spec.position + mesh::rise_of(cut) + margin);
-  return mesh::limb_from_skin(body, low, high, cuts.front().spec.where);
+struct Heights {
+  double lower = std::numeric_limits<double>::max(), upper = std::numeric_limits<double>::lowest();
+};
+
+/// The heights of an imported body that the garments cover, with a cell's margin. Throws where one has no position.
+Heights heights_of(const std::vector<mesh::GarmentCut>& cuts, const mesh::BodyMesh& body) {
+  Heights heights;
+  for (const mesh::GarmentCut& cut : cuts) {
+    const double low = input::lowest_point(cut.spec);
+    heights.lower = std::min(heights.lower, low - body.mean_skin_cell), heights.upper = std::max(heights.upper, low + mesh::rise_of(cut) + body.mean_skin_cell);
+  }
+  return heights;
+}
+
+/// A body that is one tube wears its garments as a limb does, and so does one that branches, where all of them are on a part of it that is
+/// one tube; else they are placed on its form.
+bool worn_as_limb(const std::vector<mesh::GarmentCut>& cuts, const mesh::BodyMesh& body) {
+  if (!mesh::branches(body)) return true;
+  if (std::any_of(cuts.begin(), cuts.end(), [](const mesh::GarmentCut& cut) { return !cut.spec.position || mesh::openings_of(cut) != 2; })) return false;
+  const Heights heights = heights_of(cuts, body);
+  return mesh::one_loop_between(body, heights.lower, heights.upper);
+}
+
+/// What the garments are placed on, where the body is cells of a file.
+void find_wearer(const input::Case& description, const std::vector<mesh::GarmentCut>& cuts, Meshes& meshes) {
+  if (cuts.empty()) return;
+  if (!meshes.body.shell.empty()) mesh::turn_skin_outwards(meshes.body);
+  if (worn_as_limb(cuts, meshes.body)) {
+    const Heights heights = heights_of(cuts, meshes.body);
+    meshes.limb = mesh::limb_from_skin(meshes.body, heights.lower, heights.upper, cuts.front().spec.where);
+    return;
+  }
+  if (description.solver.tier == input::Tier::L0)
+    throw input::InputError(description.body->where, "tier L0 is tension over radius round a limb, and the body branches", "take tier L1 or L4");
+  meshes.form = std::make_unique<mesh::DressForm>(mesh::body_of_skin(meshes.body, description.body->where));
 }
 
 /// An imported body may bring its loads along; a case without any would only say so after the solve.
@@ -88,8 +117,7 @@ Meshes make_body(const input::Case& description, const std::vector<mesh::Garment
     meshes.body = model ? mesh::import_model(*description.body, description.directory) : mesh::import_body_mesh(*description.body, gmsh);
     check_that_something_acts(description, meshes.body);
     check_skin(description, meshes.body);
-    if (!cuts.empty() && !meshes.body.shell.empty()) mesh::turn_skin_outwards(meshes.body);
-    if (!cuts.empty()) meshes.limb = limb_below(cuts, meshes.body);
+    find_wearer(description, cuts, meshes);
   } else if (description.body->kind == input::BodyKind::scan) {
     refuse_large_body(description, memory_limit);
     make_scan(*description.body, cuts, meshes);
@@ -134,26 +162,32 @@ void cut_graduated(std::vector<mesh::GarmentCut>& cuts, PreparedCase& prepared) 
 
 void mesh_garments(const std::vector<mesh::GarmentCut>& cuts, PreparedCase& prepared) {
   std::vector<mesh::GarmentFit> fits;
-  for (const mesh::GarmentCut& cut : cuts) fits.push_back(mesh::placed_fit(cut, prepared.meshes.limb));
+  const mesh::DressForm* form = prepared.meshes.form.get();
+  for (const mesh::GarmentCut& cut : cuts) fits.push_back(form ? mesh::placed_fit(cut, *form) : mesh::placed_fit(cut, prepared.meshes.limb));
   const std::vector<double> cell_sizes = garment_cell_sizes(prepared, cuts, fits);
   std::vector<input::Diagnostic>& warnings = prepared.warnings = prepared.meshes.body.remarks;
   const auto add = [&](const std::vector<input::Diagnostic>& more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
   add(prepared.meshes.limb.remarks), add(implausible(prepared.model, prepared.meshes, fits));
   for (std::size_t g = 0; g < cuts.size(); ++g) {
     if (cuts[g].pattern) add(cuts[g].pattern->warnings);
-    prepared.meshes.garments.push_back(mesh::make_garment_mesh(cuts[g], prepared.meshes.limb, cell_sizes[g], placing_lift(prepared.model, prepared.meshes.garments, fits[g])));
+    const double lift = placing_lift(prepared.model, prepared.meshes.garments, fits[g]);
+    prepared.meshes.garments.push_back(form ? mesh::make_garment_mesh(cuts[g], *form, cell_sizes[g], lift)
+                                            : mesh::make_garment_mesh(cuts[g], prepared.meshes.limb, cell_sizes[g], lift));
   }
 }
 
-/// How wide the garments are against the limb that they are worn on.
+/// How wide the garments are against the limbs that they are worn on.
 std::vector<postproc::FitRow> fit_of(const Meshes& meshes) {
   constexpr int rows = 9;
   std::vector<postproc::FitRow> fit;
+  for (const mesh::GarmentMesh& garment : meshes.garments)
+    for (const mesh::LimbFit& limb : garment.fit.limbs)
+      for (const mesh::FitRow& row : limb.some_rows(rows)) fit.push_back({garment.name, row.height, row.body, row.girth, row.cover, limb.limb});
   if (!meshes.limb.skin) return fit;
   for (const mesh::GarmentMesh& garment : meshes.garments)
     for (int i = 0; i < rows; ++i) {
       const mesh::FitRow row = garment.fit.at(garment.fit.lower + garment.fit.length() * (i + 0.5) / rows);
-      fit.push_back({garment.name, row.height, meshes.limb.girth(row.height), row.girth, row.cover});
+      fit.push_back({garment.name, row.height, meshes.limb.girth(row.height), row.girth, row.cover, {}});
     }
   return fit;
 }

@@ -60,7 +60,11 @@ void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& 
         hold_along(meridian(skin, body, garment.placed[node]), position(node), table);
 }
 
-bool turns_freely(const input::GarmentSpec& spec) {
+// Neither what is held nor what has two legs can be turned.
+bool turns_freely(const input::GarmentSpec& spec, const mesh::GarmentMesh& garment) {
+  constexpr double all_round = 0.999;
+  for (const mesh::LimbFit& limb : garment.fit.limbs)
+    if (limb.limb.ends_with("leg") && std::any_of(limb.rows.begin(), limb.rows.end(), [](const auto& row) { return row.cover > all_round; })) return false;
   return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::all; });
 }
 
@@ -69,7 +73,7 @@ void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMes
   auto held = model.spec.held;
   if (held.empty() && !rubs) held.push_back({.edge = probe_edge(garment), .held = input::HeldDirection::axis});
   hold_edges(held, body, garment, position, table);
-  if (turns_freely(model.spec) && !rubs) {
+  if (turns_freely(model.spec, garment) && !rubs) {
     const TurnPin pin = turn_pin(garment);
     table.fix(position(pin.node, pin.component));
   }

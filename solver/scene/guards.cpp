@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cases/input/choice.hpp"
 #include "solver/scene/body_strain.hpp"
 #include "solver/scene/laplace.hpp"
 
@@ -85,9 +86,15 @@ class Guards {
   std::string at(const Eigen::Vector3d& x) const {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     if (meshes_.limb.skin) centre = mesh::section_centre(*meshes_.limb.skin, std::clamp(x.z(), meshes_.limb.lower, meshes_.limb.upper));
+    std::string limb;
+    if (meshes_.form)
+      if (const auto section = mesh::limb_at(*meshes_.form, meshes_.form->body.in_body(x))) {
+        centre = section->loop.centroid - meshes_.form->body.translation.head<2>();
+        limb = input::text_of(section->part) + ", ";
+      }
     double angle = std::atan2(x.y() - centre.y(), x.x() - centre.x());
     if (angle < 0.0) angle += 2.0 * std::numbers::pi;
-    std::string text = fmt::format("height {:.0f} mm, {:.0f} deg", 1e3 * x.z(), angle * 180.0 / std::numbers::pi);
+    std::string text = fmt::format("height {:.0f} mm, {}{:.0f} deg", 1e3 * x.z(), limb, angle * 180.0 / std::numbers::pi);
     if (const auto& body = model_.asked.body)
       if (const int location = mesh::location_of(body->locations, angle, x.z()); location >= 0)
         text += " (" + body->locations[location].name + ")";

@@ -128,6 +128,7 @@ LaplacePressure laplace_pressure(const mesh::GarmentFit& fit, const GarmentModel
 LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const Meshes& meshes, double give) {
   const mesh::BodyMesh& body = meshes.body;
   LaplacePressure all;
+  if (meshes.form) return all;  // its radius is that of a limb
   all.pressure.assign(body.nodes.size(), 0.0);
   all.covered.assign(body.nodes.size(), 0);
   for (std::size_t g = 0; g < garments.size(); ++g) {

@@ -24,7 +24,7 @@ Eigen::Vector2d tensions(const GarmentModel& garment, const mesh::FitRow& row, b
 /// share by which the body gives way under it; girths are that much smaller and curvatures around larger.
 LaplacePressure laplace_pressure(const mesh::GarmentFit& fit, const GarmentModel& garment, const mesh::Limb& limb,
                                  const mesh::BodyMesh& body, double give = 0.0);
-/// Of all garments together: where several cover the skin their pressures add up.
+/// Of all garments together: where several cover the skin their pressures add up. Nothing on a body that branches.
 LaplacePressure laplace_pressure(const std::vector<GarmentModel>& garments, const Meshes& meshes, double give = 0.0);
 
 }  // namespace snug::solver

@@ -159,6 +159,7 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
   plan.parts_in.push_back(
       fmt::format("{}: {}, tension-field membrane, {} P{} triangles", name, fabric, mesh.triangles.size(), mesh.order));
   list_fabrics(model.garments[g], mesh, plan);
+  if (!mesh.fit.placing.empty()) plan.parts_in.push_back(fmt::format("{}: placed {}", name, mesh.fit.placing));
   list_contact(model.contact_of(g), layers_text(master_names(meshes.garments, layers_under(model, meshes.garments, g))), plan);
   list_loose_cloth(model.garments[g], mesh, plan);
   for (const input::BandSpec& band : model.garments[g].spec.band) {

@@ -10,6 +10,7 @@
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/body/scan_report.hpp"
 #include "mesh/garment/garment_mesh.hpp"
+#include "mesh/placement/dress_form.hpp"
 #include "postproc/result.hpp"
 #include "solver/scene/model.hpp"
 
@@ -44,9 +45,11 @@ Rank this_rank();
 /// "openblas", "reference" or "unknown": which BLAS the process has loaded.
 std::string loaded_blas();
 
-/// Meshes of a case; what the case does not name is absent (empty cells, no garments).
+/// Meshes of a case; what the case does not name is absent (empty cells, no garments). What garments were placed on is the limb, or the
+/// form of a body that branches.
 struct Meshes {
   mesh::Limb limb;
+  std::unique_ptr<mesh::DressForm> form = {};
   mesh::BodyMesh body;
   std::vector<mesh::GarmentMesh> garments;  ///< in the order of the case
   mesh::ScanReport scan;                    ///< of a body of tetrahedra from a scan
