@@ -4,6 +4,7 @@
 #include "tests/unit/mesh/bodies.hpp"
 #include "tests/unit/mesh/branching_bodies.hpp"
 #include "tests/unit/mesh/patterns.hpp"
+#include "tests/unit/mesh/placement_patterns.hpp"
 
 namespace snug::mesh {
 
@@ -35,8 +36,7 @@ TEST(ClosedSkin, HipsBranchAndALimbDoesNot) {
   EXPECT_TRUE(branches(child()));
   EXPECT_FALSE(one_loop_between(child(), 0.05, 0.40));
   EXPECT_TRUE(one_loop_between(child(), 0.28, 0.45));
-  const input::BodySpec spec = layered_spec();
-  EXPECT_FALSE(branches(make_body_mesh(spec, make_limb(spec))));
+  EXPECT_FALSE(branches(make_body_mesh(layered_spec(), cylinder())));
 }
 
 // The lids close the skin: as much volume as the cells have, and the origin between the legs.
@@ -49,7 +49,7 @@ TEST(ClosedSkin, LidsCloseIt) {
     const auto& x = body.surface.vertices;
     surface += x[t[0]].dot(x[t[1]].cross(x[t[2]])) / 6.0;
   }
-  EXPECT_NEAR(surface, cells, 2e-3 * cells);  // curved facets are four chords each
+  EXPECT_NEAR(surface, cells, 5e-3 * cells);  // a curved facet is four flat ones, of some 7 mm on radii of 50 mm and more
   EXPECT_NEAR(body.translation.x(), 0.0, 1e-6);
   EXPECT_TRUE(body.is_cut());
 }
