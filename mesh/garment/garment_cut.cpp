@@ -78,7 +78,18 @@ struct OnBody {
   GarmentFit fit;
 };
 
+/// A tube is laid on a body that branches as the flat rectangle that it is, whose courses are of one length.
+void check_flat(const GarmentCut& cut) {
+  if (cut.spec.pattern.graduated())
+    throw InputError(cut.spec.pattern.where, "a graduated tube goes round one limb, and the body branches where this one is to lie",
+                     "place it on a part of the body that is one tube, or cut the scan so that one limb is left");
+  if (!cut.pattern && !cut.spec.zone.empty())
+    throw InputError(cut.spec.zone.front().where, "zones by height are of tubes round one limb, and the body branches where this one is to lie",
+                     "make it a pattern whose pieces have fabrics of their own");
+}
+
 OnBody place_on_body(const GarmentCut& cut, const DressForm& form, double cell, double lift) {
+  check_flat(cut);
   OnBody on{cut.pattern ? *cut.pattern : tube_pattern(cut.spec), {}, {}, {}};
   on.sewn = mesh_pattern(on.pattern, cell);
   PlacementOptions options;

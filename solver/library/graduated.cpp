@@ -96,7 +96,7 @@ std::vector<input::GirthRow> laplace_girths(const GarmentModel& garment, const m
   const mesh::GarmentFit cloth = composition(garment.spec);
   std::vector<input::GirthRow> rows;
   for (const double height : heights_of(garment.spec)) {
-    const double z = std::clamp(garment.spec.position + height, limb.lower, limb.upper), girth = limb.girth(z);
+    const double z = std::clamp(input::lowest_point(garment.spec) + height, limb.lower, limb.upper), girth = limb.girth(z);
     const double tension = wanted_pressure(garment.spec.pattern, height) * girth / full_turn;
     rows.push_back({height, girth / stretch_for(garment, cloth.at(z), tension, height), garment.spec.pattern.where});
   }
@@ -110,7 +110,7 @@ std::vector<postproc::ProfileRow> pressure_profile(const Model& model, const Mes
     for (const input::PressureRow& row : garment.spec.pattern.pressures) {
       const Ring ring = ring_about(row.height, garment.spec, meshes.body, run.hems);
       profile.push_back({.garment = garment.spec.name, .height = row.height, .from = ring.from, .to = ring.to,
-                         .wanted = wanted_pressure(garment.spec.pattern, ring.middle()), .found = pressure_in(ring, garment.spec.position, run)});
+                         .wanted = wanted_pressure(garment.spec.pattern, ring.middle()), .found = pressure_in(ring, input::lowest_point(garment.spec), run)});
     }
   return profile;
 }
@@ -120,9 +120,9 @@ std::vector<input::GirthRow> corrected_girths(const Model& model, int g, const M
   const mesh::GarmentFit cloth = composition(garment.spec);
   std::vector<input::GirthRow> rows = garment.spec.pattern.circumferences;
   for (input::GirthRow& row : rows) {
-    const double z = std::clamp(garment.spec.position + row.height, meshes.limb.lower, meshes.limb.upper), girth = meshes.limb.girth(z);
+    const double z = std::clamp(input::lowest_point(garment.spec) + row.height, meshes.limb.lower, meshes.limb.upper), girth = meshes.limb.girth(z);
     const Ring ring = ring_about(row.height, garment.spec, meshes.body, run.hems);
-    const double found = pressure_in(ring, garment.spec.position, run);
+    const double found = pressure_in(ring, input::lowest_point(garment.spec), run);
     // Where next to nothing is found the tension is doubled, no more.
     const double factor = std::clamp(wanted_pressure(garment.spec.pattern, ring.middle()) / std::max(found, 1e-3), 0.5, 2.0);
     const double tension = std::max(tensions(garment, cloth.at(z), true, girth / row.girth).x(), 1e-3);

@@ -62,9 +62,8 @@ void hold_edges(const std::vector<input::HeldEdge>& held, const mesh::BodyMesh& 
 
 // Neither what is held nor what has two legs can be turned.
 bool turns_freely(const input::GarmentSpec& spec, const mesh::GarmentMesh& garment) {
-  constexpr double all_round = 0.999;
   for (const mesh::LimbFit& limb : garment.fit.limbs)
-    if (limb.limb.ends_with("leg") && std::any_of(limb.rows.begin(), limb.rows.end(), [](const auto& row) { return row.cover > all_round; })) return false;
+    if (limb.limb.ends_with("leg") && std::any_of(limb.rows.begin(), limb.rows.end(), [](const auto& row) { return row.cover > 0.999; })) return false;
   return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::all; });
 }
 
