@@ -350,7 +350,7 @@ class Maker {
   /// The layers and a rigid core fill what skin and cuts enclose, once.
   void check_filled() {
     constexpr double tolerance = 0.01;
-    double cells = layering_.bone() ? 0.0 : enclosed_volume(closed_flat(surfaces_.back().mesh));
+    double cells = layering_.bone() ? 0.0 : volume_inside(mesh(), "bone");
     for (const QualityRow& row : quality(mesh())) cells += row.volume;
     if (std::abs(cells - report().volume) <= tolerance * report().volume) return;
     throw InputError(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),

@@ -70,9 +70,12 @@ void measure_deviation(const SmoothSurface& smooth, const TriangleSurface& kept,
   report.deviation_rms = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, kept.vertices.size())));
 }
 
-TriangleSurface fine_skin(const BodyMesh& mesh, int parts) {
+namespace {
+
+/// Curved facets as flat triangles, `parts` to an edge.
+TriangleSurface fine_surface(const BodyMesh& mesh, const std::vector<FacetNodeNumbers>& facets, int parts) {
   TriangleSurface fine;
-  for (const FacetNodeNumbers& facet : mesh.skin_facets) {
+  for (const FacetNodeNumbers& facet : facets) {
     const int base = static_cast<int>(fine.vertices.size());
     std::vector<std::vector<int>> number(parts + 1);
     int next = base;
@@ -89,6 +92,10 @@ TriangleSurface fine_skin(const BodyMesh& mesh, int parts) {
   }
   return weld(fine);
 }
+
+}  // namespace
+
+TriangleSurface fine_skin(const BodyMesh& mesh, int parts) { return fine_surface(mesh, mesh.skin_facets, parts); }
 
 void measure_sections(const BodyMesh& mesh, const TriangleSurface& closed_scan, ScanReport& report) {
   const TriangleSurface fine = closed_flat(fine_skin(mesh, parts_of_edge));
@@ -110,5 +117,9 @@ CutRow cut_row(const BodyMesh& mesh, const TriangleSurface& closed_scan, const C
 }
 
 double volume_between(const BodyMesh& mesh) { return enclosed_volume(closed_flat(fine_skin(mesh, parts_of_edge))); }
+
+double volume_inside(const BodyMesh& mesh, const std::string& surface) {
+  return std::abs(enclosed_volume(closed_flat(fine_surface(mesh, mesh.surface(surface)->facets, parts_of_edge))));
+}
 
 }  // namespace snug::mesh

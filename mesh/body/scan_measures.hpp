@@ -23,8 +23,10 @@ CutRow cut_row(const BodyMesh& mesh, const TriangleSurface& closed_scan, const C
 /// Volume inside skin and cuts, whatever is meshed of it, m3.
 double volume_between(const BodyMesh& mesh);
 
+/// Volume inside a surface of the body and the cuts, m3.
+double volume_inside(const BodyMesh& mesh, const std::string& surface);
+
 /// The curved skin as flat triangles, `parts` to an edge.
 TriangleSurface fine_skin(const BodyMesh& mesh, int parts);
-
 
 }  // namespace snug::mesh

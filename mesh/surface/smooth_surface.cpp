@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 
 namespace snug::mesh {
 
@@ -35,10 +36,10 @@ SmoothSurface::SmoothSurface(TriangleSurface surface, double radius)
 }
 
 std::vector<int> SmoothSurface::around(int triangle, const Eigen::Vector3d& foot, double reach) const {
-  std::vector<int> found = {triangle}, seen = found;
+  std::vector<int> found = {triangle};
+  std::unordered_set<int> seen = {triangle};
   const auto add = [&](int t) {
-    if (std::find(seen.begin(), seen.end(), t) != seen.end()) return;
-    seen.push_back(t);
+    if (!seen.insert(t).second) return;
     const auto& v = surface_.triangles[t];
     const bool near = std::any_of(v.begin(), v.end(), [&](int n) { return (surface_.vertices[n] - foot).norm() < reach; });
     if (near) found.push_back(t);
@@ -87,7 +88,7 @@ SmoothSurface::Point SmoothSurface::fitted(const Eigen::Vector3d& x) const {
     const double p = u.dot(from), q = v.dot(from);
     Eigen::Matrix<double, 6, 1> row;
     row << 1.0, p, q, p * p, p * q, q * q;
-    A += weight * row * row.transpose();
+    A.selfadjointView<Eigen::Lower>().rankUpdate(row, weight);
     b += weight * normal.dot(from) * row;
   }
   A.diagonal().tail<3>().array() += 1e-9 * A(0, 0);  // of facets along a line the quadric is flat across it
