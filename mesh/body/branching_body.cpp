@@ -352,6 +352,12 @@ class Maker {
     constexpr double tolerance = 0.01;
     double cells = layering_.bone() ? 0.0 : volume_inside(mesh(), "bone");
     for (const QualityRow& row : quality(mesh())) cells += row.volume;
+    if (getenv("DBG")) {
+      for (const auto& s : mesh().surfaces) fmt::print("surface {} nodes {} facets {}\n", s.name, s.nodes.size(), s.facets.size());
+      for (const QualityRow& row : quality(mesh())) fmt::print("layer {} {} cells {} ml min {}\n", row.layer, row.cells, 1e6 * row.volume, row.min_scaled_jacobian);
+      fmt::print("core flat {} curved {} skin flat {} report {}\n", 1e6 * enclosed_volume(closed_flat(surfaces_.back().mesh)), 1e6 * volume_inside(mesh(), "bone"), 1e6 * enclosed_volume(closed_flat(surfaces_.front().mesh)), 1e6 * report().volume);
+      for (const auto& s : surfaces_) fmt::print("{} {} triangles {} vertices rims {}\n", s.name, s.mesh.triangles.size(), s.mesh.vertices.size(), s.rims.size());
+    }
     if (std::abs(cells - report().volume) <= tolerance * report().volume) return;
     throw InputError(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),
                      "take another cell_size: gmsh has filled a layer wrongly");

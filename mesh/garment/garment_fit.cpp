@@ -12,7 +12,7 @@ FitRow GarmentFit::at(double height) const {
   if (above == rows.end()) return as_there(rows.back());
   const FitRow &a = *(above - 1), &b = *above;
   const double t = (height - a.height) / (b.height - a.height);
-  FitRow row{height, a.girth + t * (b.girth - a.girth), a.cover + t * (b.cover - a.cover), a.zones};
+  FitRow row{.height = height, .girth = a.girth + t * (b.girth - a.girth), .cover = a.cover + t * (b.cover - a.cover), .zones = a.zones};
   for (std::size_t z = 0; z < row.zones.size(); ++z) row.zones[z] += t * (b.zones[z] - a.zones[z]);
   return row;
 }

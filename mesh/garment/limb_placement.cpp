@@ -60,7 +60,8 @@ Facing facing(const SewnMesh& sewn, const TubeChart& chart, const std::optional<
 /// goes all the way round.
 void widen_from_whole(const Limb& limb, double lower, double upper, std::vector<FitRow>& rows) {
   if (rows.empty()) return;
-  rows.insert(rows.begin(), {lower, rows.front().girth, 0.0, rows.front().zones}), rows.push_back({upper, rows.back().girth, 0.0, rows.back().zones});
+  rows.insert(rows.begin(), {.height = lower, .girth = rows.front().girth, .cover = 0.0, .zones = rows.front().zones});
+  rows.push_back({.height = upper, .girth = rows.back().girth, .cover = 0.0, .zones = rows.back().zones});
   constexpr double all_round = 0.999;
   const auto whole = [](const FitRow& row) { return row.cover > all_round; };
   const auto first = std::find_if(rows.begin(), rows.end(), whole);
@@ -86,7 +87,7 @@ std::vector<FitRow> rows_of(const SewnMesh& sewn, const input::GarmentSpec& spec
   const std::vector<int> zones = zones_of_pieces(sewn, spec);
   std::vector<FitRow> rows(count);
   std::vector<double> round(count, 0.0);
-  for (int r = 0; r < count; ++r) rows[r] = {lower + (upper - lower) * (r + 0.5) / count, 0.0, 0.0, std::vector<double>(spec.zone.size(), 0.0)};
+  for (int r = 0; r < count; ++r) rows[r] = {.height = lower + (upper - lower) * (r + 0.5) / count, .cover = 0.0, .zones = std::vector<double>(spec.zone.size(), 0.0)};
   for (std::size_t triangle = 0; triangle < sewn.triangles.size(); ++triangle) {
     const auto& t = sewn.triangles[triangle];
     const int zone = zones[sewn.triangle_piece[triangle]];
@@ -112,7 +113,7 @@ std::vector<FitRow> rows_of(const SewnMesh& sewn, const input::GarmentSpec& spec
   for (int r = 0; r < count; ++r) {
     if (!(round[r] > 0.0)) continue;
     for (double& share : rows[r].zones) share /= rows[r].girth;
-    there.push_back({rows[r].height, rows[r].girth / round[r], std::min(1.0, round[r]), rows[r].zones});
+    there.push_back({.height = rows[r].height, .girth = rows[r].girth / round[r], .cover = std::min(1.0, round[r]), .zones = rows[r].zones});
   }
   widen_from_whole(limb, lower, upper, there);
   return there;

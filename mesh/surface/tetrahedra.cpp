@@ -51,6 +51,7 @@ Found by_gmsh(const std::function<Found()>& work) {
     Found found;
     try {
       const GmshSession session;
+      gmsh::option::setNumber("Mesh.Renumber", 0);  // nodes given keep their tags
       gmsh::logger::start();
       std::vector<std::string> log;
       try {

@@ -94,12 +94,11 @@ void check_skin(const input::Case& description, const mesh::BodyMesh& body) {
 }
 
 /// A scan becomes hexahedra or tetrahedra; the report says which and why.
-void make_scan(const input::BodySpec& spec, const std::vector<mesh::GarmentCut>& cuts, Meshes& meshes) {
+void make_scan(const input::BodySpec& spec, Meshes& meshes) {
   const mesh::CellChoice choice = mesh::choose_cells(spec);
   if (choice.tetrahedra) {
     mesh::ScannedBody scanned = mesh::body_from_scan(spec);
     meshes.body = std::move(scanned.mesh), meshes.scan = std::move(scanned.report);
-    if (!cuts.empty()) meshes.limb = limb_below(cuts, meshes.body);
   } else {
     const input::BodySpec limb = mesh::with_lower_and_upper(spec);
     meshes.limb = mesh::make_limb(limb);
@@ -120,7 +119,8 @@ Meshes make_body(const input::Case& description, const std::vector<mesh::Garment
     find_wearer(description, cuts, meshes);
   } else if (description.body->kind == input::BodyKind::scan) {
     refuse_large_body(description, memory_limit);
-    make_scan(*description.body, cuts, meshes);
+    make_scan(*description.body, meshes);
+    if (!meshes.limb.skin) find_wearer(description, cuts, meshes);  // tetrahedra
   } else {
     refuse_large_body(description, memory_limit);
     meshes.limb = mesh::make_limb(*description.body);

@@ -49,6 +49,24 @@ Sides sides_of(const mesh::GarmentMesh& garment) {
   return sides;
 }
 
+/// One side of a seam: its nodes on the flat piece, each with the direction out of the piece in the cloth as worn.
+using Outward = std::map<int, Eigen::Vector3d>;
+
+/// N, what the cloth of one side of a seam transmits across it: the forces of its triangles on the seam's nodes, along the directions out of it.
+/// They balance what the solver balanced, so that they are as exact as its mean tensions, which the stress at a side of a triangle is not;
+/// shear of the skin beside the seam is in them, the other way round on the other side.
+double pull_across(const FabricMembrane& sheet, const State& state, const mesh::GarmentMesh& garment, const Outward& outward) {
+  double pull = 0.0;
+  for (std::size_t t = 0; t < garment.triangles.size(); ++t) {
+    const auto& nodes = garment.triangles[t];
+    if (std::none_of(nodes.begin(), nodes.end(), [&](int node) { return outward.contains(node); })) continue;
+    const NodeVectors<6> forces = sheet.nodal_forces(state, static_cast<int>(t));
+    for (int a = 0; a < 6; ++a)
+      if (const auto it = outward.find(nodes[a]); it != outward.end()) pull += forces.col(a).dot(it->second.normalized());
+  }
+  return pull;
+}
+
 }  // namespace
 
 std::vector<postproc::PieceRow> piece_rows(const Scene& scene, const State& state, const Model& model, const std::vector<mesh::GarmentMesh>& garments) {
@@ -67,14 +85,22 @@ std::vector<postproc::SeamRow> seam_rows(const Scene& scene, const State& state,
     const Sides sides = sides_of(garment);
     for (const mesh::SewnSeam& seam : garment.seams) {
       postproc::SeamRow row{.garment = garment.name, .seam = seam.name};
-      for (const auto& pair : seam.pairs)
-        for (const int node : pair) {
-          const auto side = sides.find(node);  // vertices are in no side's middle
+      for (const std::size_t of : {0, 1}) {
+        Outward outward;
+        for (const auto& pair : seam.pairs) {
+          const auto side = sides.find(pair[of]);  // vertices are in no side's middle
           if (side == sides.end()) continue;
-          const FabricMembrane::SideForce force = sheet->side_force(state, garment, side->second.first, side->second.second);
-          row.length += 0.5 * force.length, row.line_load += 0.5 * force.across, row.along += 0.5 * force.along;
+          const auto [triangle, corner] = side->second;
+          const FabricMembrane::SideForce force = sheet->side_force(state, garment, triangle, corner);
+          row.length += 0.5 * force.length, row.along += 0.5 * force.along;
           row.largest = std::max(row.largest, force.largest);
+          for (const int a : {corner, (corner + 1) % 3, 3 + corner}) {
+            Eigen::Vector3d& out = outward.try_emplace(garment.triangles[triangle][a], Eigen::Vector3d::Zero()).first->second;
+            out += force.out;
+          }
         }
+        row.line_load += 0.5 * pull_across(*sheet, state, garment, outward);
+      }
       if (row.length > 0.0) row.line_load /= row.length, row.along /= row.length;
       rows.push_back(std::move(row));
     }

@@ -203,6 +203,19 @@ FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle
   return s;
 }
 
+NodeVectors<6> FabricMembrane::nodal_forces(const State& state, int triangle) const {
+  const Element& element = elements_[triangle];
+  const NodeVectors<6> x = positions(state, element);
+  MembraneElement<6> sums;
+  sums.zero();
+  for (const Point& point : element.points) {
+    double weight = 0.0;
+    const Derivatives<6> d = derivatives(element, point, state.load, weight);
+    add_membrane_point<6>(x, d, weight, fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load)), false, sums);
+  }
+  return Eigen::Map<const NodeVectors<6>>(sums.residual.data());
+}
+
 // Force on an element dL of a side with the normal n at rest: P n dL, P = F N. At rest, as far as the way of the metric has come, the side is
 // H dX; turned by a right angle it is n dL, outwards where the triangle runs counter-clockwise.
 FabricMembrane::SideForce FabricMembrane::side_force(const State& state, const mesh::GarmentMesh& mesh, int triangle, int side) const {
@@ -226,8 +239,8 @@ FabricMembrane::SideForce FabricMembrane::side_force(const State& state, const m
     const Eigen::Vector3d traction = f * Eigen::Vector2d(n[0] * rest.y() - n[2] * rest.x(), n[2] * rest.y() - n[1] * rest.x());
     const double length = now.norm();
     const Eigen::Vector3d along = now / length, normal = f.col(0).cross(f.col(1)).normalized(), out = along.cross(normal);
-    force.length += rule.weights[q] * length;
-    force.across += rule.weights[q] * traction.dot(out), force.along += rule.weights[q] * traction.dot(along);
+    force.length += rule.weights[q] * length, force.out += rule.weights[q] * length * out;
+    force.along += rule.weights[q] * traction.dot(along);
     force.largest = std::max(force.largest, traction.dot(out) / length);
   }
   force.along = std::abs(force.along);

@@ -51,10 +51,13 @@ class FabricMembrane : public Term {
   double area_ratio(const State& state, int triangle, const Eigen::Vector3d& L) const;
   double pattern_area(int triangle) const { return elements_[triangle].area; }
 
-  /// What a side of a triangle (0: vertices 0 and 1, …) transmits across itself to the cloth beyond it.
+  /// N, on the nodes of a triangle: the derivative of its energy by their places.
+  NodeVectors<6> nodal_forces(const State& state, int triangle) const;
+
+  /// What a side of a triangle (0: vertices 0 and 1, …) transmits to the cloth beyond it, from the stress at it.
   struct SideForce {
     double length = 0.0;    ///< m, as worn
-    double across = 0.0;    ///< N, along the normal of the side in the cloth, tension positive
+    Eigen::Vector3d out = Eigen::Vector3d::Zero();  ///< m, the normals of the side in the cloth, out of the triangle, times its length
     double along = 0.0;     ///< N, amount along the side
     double largest = 0.0;   ///< N/m, across, at a point
   };

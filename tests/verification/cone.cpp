@@ -71,7 +71,7 @@ Eigen::Vector3d on_cone(double angle, double slant) {  // slant from the large e
 
 input::Case describe(const std::string& fabric) {
   input::Case c;
-  c.garments.emplace_back();
+  c.garments.emplace_back().position = 0.0;
   c.garments.front().pattern.length = rest_length;
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * rest_radius;
   c.garments.front().fabric.table = input::table_of(fabric);

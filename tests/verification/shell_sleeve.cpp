@@ -60,6 +60,7 @@ input::Case sleeve_on(const Tube& tube) {
   input::Case c = block.c;
   c.load.reset();
   input::GarmentSpec& sleeve = c.garments.emplace_back();
+  sleeve.position = 0.0;
   sleeve.pattern.flat_circumference = 2.0 * pi * 0.044, sleeve.pattern.length = tube.length;
   sleeve.fabric.table = input::table_of("law = 'linear'\nwarp = '500 N/m'\nweft = '500 N/m'\nshear = '150 N/m'\npoisson = 0");
   for (const char* edge : {"upper", "lower"}) sleeve.held.push_back({.edge = edge, .held = input::HeldDirection::axis});

@@ -52,7 +52,7 @@ inline input::Case describe_tube(const TubeCase& tube) {
   c.body->layers = {bone, tissue};
   c.body->elements = tube.elements;
   c.body->cells_around = tube.around, c.body->cells_along = tube.along;
-  c.garments.emplace_back();
+  c.garments.emplace_back().position = 0.0;
   c.garments.front().pattern.flat_circumference = 2.0 * std::numbers::pi * tube.sleeve;
   c.garments.front().pattern.length = tube.length;
   c.garments.front().fabric.table = input::table_of(tube.fabric);

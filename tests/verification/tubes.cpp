@@ -87,6 +87,7 @@ TEST(FreeBore, ASleeveClosesItAsItsRowsSay) {
     c.c.contacts.emplace_back();
     c.c.contacts.front().friction = 0.0;
     input::GarmentSpec& sleeve = c.c.garments.emplace_back();
+    sleeve.position = 0.0;
     sleeve.pattern.flat_circumference = 2.0 * std::numbers::pi * 0.044, sleeve.pattern.length = length;
     sleeve.fabric.table = input::table_of("law = 'cubic'\nk1 = '200 N/m'\nk3 = '0 N/m'\nshear = '60 N/m'\npoisson = 0");
     sleeve.held = {{.edge = "upper", .held = input::HeldDirection::axis}, {.edge = "lower", .held = input::HeldDirection::axis}};
