@@ -23,7 +23,8 @@ namespace {
 using input::InputError;
 
 constexpr double cells_round_narrowest = 32.0, core_over_skin = 1.5;
-constexpr double grid_over_size = 0.6;  // of the grid that inner surfaces are found on
+constexpr double fewest_cells_round = 12.0;  // of an inner surface: its curved edges then keep its volume to some thousandths
+constexpr double grid_over_size = 0.3;  // of the grid that inner surfaces are found on
 
 Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
@@ -108,7 +109,7 @@ class Maker {
     radius_ = scan_.smoothing_radius > 0.0 ? scan_.smoothing_radius : size_;
     const auto make = [&] {
       surfaces_.clear();
-      surfaces_.push_back(nested_surface("skin", mended_.surface, kept, cuts_, size_, radius_, spec_.where));
+      surfaces_.push_back(nested_surface("skin", mended_.surface, kept, cuts_, size_, {.radius = radius_}, spec_.where));
     };
     try {
       make();
@@ -185,11 +186,16 @@ class Maker {
     return closed_flat(std::move(tube));
   }
 
-  void add_inner(const std::string& name, TriangleSurface whole, double size, const SurfaceTree& inside) {
-    if (whole.triangles.empty()) throw InputError(spec_.where, fmt::format("nothing of the body is so deep that there could be a surface \"{}\"", name), "make the tissue thinner");
+  void refuse_empty(const TriangleSurface& surface, const std::string& name) const {
+    if (surface.triangles.empty()) throw InputError(spec_.where, fmt::format("nothing of the body is so deep that there could be a surface \"{}\"", name), "make the tissue thinner");
+  }
+
+  void add_inner(const std::string& name, TriangleSurface whole, double size, const SurfaceTree& inside, double at_corners = exact_corners) {
+    refuse_empty(whole, name);
     const TriangleSurface kept = kept_inside(whole, cuts_, surfaces_[0], inside);
     if (kept.triangles.empty()) throw InputError(spec_.where, fmt::format("no part of \"{}\" lies between the cuts", name), "check unit and place of the core, or make the tissue thinner");
-    surfaces_.push_back(nested_surface(name, std::move(whole), kept, cuts_, size, radius_, spec_.where));
+    if (!border_loops(kept).empty()) size = std::min(size, narrowest_girth(kept) / fewest_cells_round);
+    surfaces_.push_back(nested_surface(name, std::move(whole), kept, cuts_, size, {std::min(radius_, 0.5 * size), at_corners}, spec_.where));
     if (surfaces_.back().cuts_itself) throw InputError(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
   }
 
@@ -200,6 +206,7 @@ class Maker {
     std::size_t rest = 0;
     while (rest < solids.size() && solids[rest].thickness) ++rest;
     TriangleSurface core = core_surface();
+    refuse_empty(core, "bone");
     double depth = 0.0;
     for (std::size_t n = solids.size() - 1; n > rest; --n) {
       depth += *solids[n].thickness;
@@ -214,7 +221,7 @@ class Maker {
                 level_surface([&](const Eigen::Vector3d& x) { return over - bone.signed_distance(x); }, box(), grid_over_size * size_), size_, inside);
     }
     const double core_size = scan_.core && scan_.core->cell_size ? *scan_.core->cell_size : core_over_skin * size_;
-    add_inner("bone", std::move(core), core_size, inside);
+    add_inner("bone", std::move(core), core_size, inside, scan_.core && !scan_.core->surface.empty() ? scanned_corners : exact_corners);
   }
 
   /// Triangles of the cut faces between each surface and the next one inside.
@@ -352,12 +359,6 @@ class Maker {
     constexpr double tolerance = 0.01;
     double cells = layering_.bone() ? 0.0 : volume_inside(mesh(), "bone");
     for (const QualityRow& row : quality(mesh())) cells += row.volume;
-    if (getenv("DBG")) {
-      for (const auto& s : mesh().surfaces) fmt::print("surface {} nodes {} facets {}\n", s.name, s.nodes.size(), s.facets.size());
-      for (const QualityRow& row : quality(mesh())) fmt::print("layer {} {} cells {} ml min {}\n", row.layer, row.cells, 1e6 * row.volume, row.min_scaled_jacobian);
-      fmt::print("core flat {} curved {} skin flat {} report {}\n", 1e6 * enclosed_volume(closed_flat(surfaces_.back().mesh)), 1e6 * volume_inside(mesh(), "bone"), 1e6 * enclosed_volume(closed_flat(surfaces_.front().mesh)), 1e6 * report().volume);
-      for (const auto& s : surfaces_) fmt::print("{} {} triangles {} vertices rims {}\n", s.name, s.mesh.triangles.size(), s.mesh.vertices.size(), s.rims.size());
-    }
     if (std::abs(cells - report().volume) <= tolerance * report().volume) return;
     throw InputError(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),
                      "take another cell_size: gmsh has filled a layer wrongly");

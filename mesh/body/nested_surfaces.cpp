@@ -69,10 +69,10 @@ std::vector<Eigen::Vector2d> flat_rim(const NestedSurface& surface, const Rim& r
 }
 
 NestedSurface nested_surface(const std::string& name, TriangleSurface whole, const TriangleSurface& kept, const std::vector<Cut>& cuts, double size,
-                             double smoothing_radius, const input::Location& where) {
+                             const Smoothing& smoothing, const input::Location& where) {
   NestedSurface surface;
   surface.name = name;
-  surface.smooth = std::make_unique<SmoothSurface>(std::move(whole), smoothing_radius);
+  surface.smooth = std::make_unique<SmoothSurface>(std::move(whole), smoothing.radius, smoothing.at_corners);
   surface.mesh = remeshed(kept, size);
   surface.rims.resize(cuts.size());
   for (Rim& loop : border_loops(surface.mesh)) {

@@ -23,10 +23,15 @@ struct NestedSurface {
 /// The polygon of a rim in the frame of its cut.
 std::vector<Eigen::Vector2d> flat_rim(const NestedSurface& surface, const Rim& rim, const PlaneFrame& frame);
 
+struct Smoothing {
+  double radius = 0.0;                   ///< m
+  double at_corners = scanned_corners;   ///< of SmoothSurface
+};
+
 /// Remeshes a surface that is cut already with edges of `size`, draws it onto the smooth one of `whole` and finds the rims. Throws
 /// input::InputError (at `where`) for a rim that is of no cut: a hole.
 NestedSurface nested_surface(const std::string& name, TriangleSurface whole, const TriangleSurface& kept, const std::vector<Cut>& cuts, double size,
-                             double smoothing_radius, const input::Location& where);
+                             const Smoothing& smoothing, const input::Location& where);
 
 /// Of an inner surface: cuts it wherever it passes through the skin's sections, keeps what lies inside `skin` (closed).
 TriangleSurface kept_inside(TriangleSurface whole, const std::vector<Cut>& cuts, const NestedSurface& skin, const SurfaceTree& inside);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/placement/garment_chart.hpp"
 
@@ -130,6 +131,12 @@ std::vector<SeamPair> seam_pairs(const SewnMesh& sewn, const Vertices& vertices,
   return pairs;
 }
 
+/// Whether the sides of all seams meet where they start.
+bool lies_closed(const SewnMesh& sewn, const Vertices& vertices, const Places& places) {
+  const std::vector<SeamPair> pairs = seam_pairs(sewn, vertices, places);
+  return std::all_of(pairs.begin(), pairs.end(), [](const SeamPair& pair) { return pair.stitching.gap < 1e-6; });
+}
+
 double gap_of(const SeamPair& pair, const Places& places) {
   return (places[pair.stitching.a] - places[pair.stitching.b]).norm();
 }
@@ -242,8 +249,10 @@ bool PlacedGarment::accepted() const {
   return std::all_of(acceptance.begin(), acceptance.end(), [](const Criterion& one) { return one.met; });
 }
 
-PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn, const DressForm& form,
-                            const PlacementOptions& options) {
+namespace {
+
+/// Places it once; where cloth that is drawn tight shortens, it ends above where it was to lie.
+PlacedGarment place_once(const CheckedPattern& checked, const SewnMesh& sewn, const DressForm& form, const PlacementOptions& options) {
   std::vector<int> itself(sewn.flat.size());
   for (std::size_t n = 0; n < itself.size(); ++n) itself[n] = static_cast<int>(n);
   const Vertices apart = vertices_of(sewn, itself), together = vertices_of(sewn, sewn.merged);
@@ -266,12 +275,54 @@ PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn,
   ParticleStep step;
   step.compression = tight ? 0.05 : 0.3;
   step.clearance = options.clearance;
+  const ClothTriangles joined = triangles_of(sewn, together.number);
+  if (chart && sewn.pieces.size() == 1 && lies_closed(sewn, apart, start)) {  // a tube: nothing to sew, and particles would only shorten it
+    ClothParticles as_charted(merged_places(apart, together, start), joined);
+    PlacedGarment charted = placed;
+    finish(checked, sewn, form, together, as_charted, step, 0, charted);
+    if (charted.accepted()) return charted;
+  }
   ClothParticles cloth(start, flat);
   if (legs) cloth.set_gap(gap_between_legs(*chart, form, sewn, apart.number));
   sew(checked, sewn, form, apart, cloth, step, options.sewing_steps, placed);
-  ClothParticles whole(merged_places(apart, together, cloth.places()), triangles_of(sewn, together.number));
+  ClothParticles whole(merged_places(apart, together, cloth.places()), joined);
   if (legs) whole.set_gap(gap_between_legs(*chart, form, sewn, together.number));
+  step.compression = 0.3;  // sewn, it need not give way: cloth that is stretched round the body would go on shortening along it
   finish(checked, sewn, form, together, whole, step, options.settling_steps, placed);
+  return placed;
+}
+
+std::optional<PlacedGarment> placed_if_it_can(const CheckedPattern& checked, const SewnMesh& sewn, const DressForm& form, const PlacementOptions& options) {
+  try {
+    return place_once(checked, sewn, form, options);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+double lowest_of(const PlacedGarment& placed) {
+  double lowest = std::numeric_limits<double>::max();
+  for (const Vector3d& place : placed.places) lowest = std::min(lowest, place.z());
+  return lowest;
+}
+
+}  // namespace
+
+PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn, const DressForm& form,
+                            const PlacementOptions& options) {
+  PlacedGarment placed = place_once(checked, sewn, form, options);
+  if (!options.lowest) return placed;
+  constexpr int rounds = 3;
+  constexpr double near = 0.002;  // m
+  PlacementOptions again = options;
+  for (int round = 0; round < rounds; ++round) {
+    const double miss = lowest_of(placed) - *options.lowest;
+    if (std::abs(miss) < near) break;
+    *again.lowest -= miss;
+    std::optional<PlacedGarment> moved = placed_if_it_can(checked, sewn, form, again);
+    if (!moved || !moved->accepted() || std::abs(lowest_of(*moved) - *options.lowest) > std::abs(miss)) break;
+    placed = std::move(*moved);
+  }
   return placed;
 }
 

@@ -27,7 +27,7 @@ class LevelGrid {
       for (int j = 0; j + 1 < n_[1]; j += block)
         for (int k = 0; k + 1 < n_[2]; k += block) {
           const double at = over(low_ + h_ * (Eigen::Vector3d(i, j, k) + Eigen::Vector3d::Constant(0.5 * block)));
-          fill(i, j, k, std::abs(at) > 2.5 * radius ? at : std::numeric_limits<double>::quiet_NaN());
+          fill(i, j, k, std::abs(at) > 1.5 * radius ? at : std::numeric_limits<double>::quiet_NaN());
         }
   }
   const std::array<int, 3>& counts() const { return n_; }
@@ -37,6 +37,10 @@ class LevelGrid {
     const bool border = i == 0 || j == 0 || k == 0 || i == n_[0] - 1 || j == n_[1] - 1 || k == n_[2] - 1;
     const double at = value_[index(i, j, k)];
     return border ? std::min(at, -0.5 * h_) : at;
+  }
+  bool on_border(const Eigen::Vector3d& x) const {
+    const Eigen::Array3d at = ((x - low_) / h_).array();
+    return (at < 0.5).any() || (at > Eigen::Array3d(n_[0], n_[1], n_[2]) - 1.5).any();
   }
   Eigen::Vector3d point(int i, int j, int k) const { return low_ + h_ * Eigen::Vector3d(i, j, k); }
 
@@ -68,7 +72,7 @@ class LevelGrid {
 /// The surface where a function on a grid is zero, by Kuhn's tetrahedra; triangles show the side of negative values.
 class Marching {
  public:
-  explicit Marching(const LevelGrid& grid) : grid_(grid) {
+  Marching(const LevelGrid& grid, const std::function<double(const Eigen::Vector3d&)>& level) : grid_(grid), level_(level) {
     const auto& n = grid.counts();
     for (int i = 0; i + 1 < n[0]; ++i)
       for (int j = 0; j + 1 < n[1]; ++j)
@@ -116,17 +120,27 @@ class Marching {
     }
   }
 
+  /// Share of the way from a to b at which the function is zero: false position, and once more between the point found and the end beyond. Straight
+  /// between the ends a curved surface would lie too far inside by h^2/8 of its curvature.
+  double zero_between(const Corner& a, const Corner& b) const {
+    const double first = a.value / (a.value - b.value), there = level_((1.0 - first) * a.x + first * b.x);
+    if (there == 0.0 || grid_.on_border(a.x) || grid_.on_border(b.x)) return first;
+    const bool like_a = (there > 0.0) == (a.value > 0.0);
+    return like_a ? first + (1.0 - first) * there / (there - b.value) : first * a.value / (a.value - there);
+  }
+
   int between(const Corner& a, const Corner& b) {
     const auto key = std::pair(std::min(a.index, b.index), std::max(a.index, b.index));
     const auto [it, fresh] = at_.try_emplace(key, static_cast<int>(surface_.vertices.size()));
     if (fresh) {
-      const double s = std::clamp(a.value / (a.value - b.value), 0.02, 0.98);  // no triangles without area
+      const double s = std::clamp(zero_between(a, b), 0.02, 0.98);  // no triangles without area
       surface_.vertices.push_back((1.0 - s) * a.x + s * b.x);
     }
     return it->second;
   }
 
   const LevelGrid& grid_;
+  const std::function<double(const Eigen::Vector3d&)>& level_;
   TriangleSurface surface_;
   std::map<std::pair<std::size_t, std::size_t>, int> at_;
 };
@@ -134,7 +148,7 @@ class Marching {
 }  // namespace
 
 TriangleSurface level_surface(const std::function<double(const Eigen::Vector3d&)>& level, const Box& box, double spacing) {
-  return Marching(LevelGrid(level, box, spacing)).take();
+  return Marching(LevelGrid(level, box, spacing), level).take();
 }
 
 }  // namespace snug::mesh

@@ -12,19 +12,16 @@ namespace snug::mesh {
 namespace {
 
 constexpr double reach_of_gaussian = 3.0;  // standard deviations
+constexpr double small_facet = 0.1;  // of a variance: over such a facet the weight hardly changes, and its middle stands for it
 constexpr std::size_t fewest_triangles = 16;  // about one ring round each corner: less has no curvature
-
-/// Share of a facet's weight at its corners. Corners lie on what was scanned and the facet inside of it where it bulges: with all weight on the facet the
-/// volume of the facets stays and their girth is lost by a third of that, with all at the corners the other way round. Between them both stay.
-constexpr double at_corners = 0.25;
 
 /// Six points that integrate polynomials of fourth degree over a triangle (Dunavant 1985): first share, weight.
 constexpr std::array<std::array<double, 2>, 2> rule = {{{0.108103018168070, 0.223381589678011}, {0.816847572980459, 0.109951743655322}}};
 
 }  // namespace
 
-SmoothSurface::SmoothSurface(TriangleSurface surface, double radius)
-    : surface_(std::move(surface)), tree_(surface_), sigma_(0.5 * radius), triangles_at_(surface_.vertices.size()) {
+SmoothSurface::SmoothSurface(TriangleSurface surface, double radius, double at_corners)
+    : surface_(std::move(surface)), tree_(surface_), sigma_(0.5 * radius), at_corners_(at_corners), triangles_at_(surface_.vertices.size()) {
   for (std::size_t n = 0; n < surface_.triangles.size(); ++n) {
     const auto &t = surface_.triangles[n];
     const auto& x = surface_.vertices;
@@ -71,12 +68,16 @@ SmoothSurface::Point SmoothSurface::fitted(const Eigen::Vector3d& x) const {
       samples.emplace_back((at - x) / sigma, w);
       normal += w * normals_[t];
     };
+    const Eigen::Vector3d centroid = (surface_.vertices[corners[0]] + surface_.vertices[corners[1]] + surface_.vertices[corners[2]]) / 3.0;
+    const bool small = areas_[t] < small_facet * sigma * sigma;
+    if (small) add(centroid, 1.0 - at_corners_);
     for (int corner = 0; corner < 3; ++corner) {
-      add(surface_.vertices[corners[corner]], at_corners / 3.0);
+      add(surface_.vertices[corners[corner]], at_corners_ / 3.0);
+      if (small || at_corners_ == exact_corners) continue;
       for (const auto& [share, weight] : rule) {
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
         for (int n = 0; n < 3; ++n) at += (n == corner ? share : 0.5 * (1.0 - share)) * surface_.vertices[corners[n]];
-        add(at, (1.0 - at_corners) * weight);
+        add(at, (1.0 - at_corners_) * weight);
       }
     }
   }

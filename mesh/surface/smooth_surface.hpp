@@ -9,13 +9,18 @@
 
 namespace snug::mesh {
 
+/// Shares of a facet's weight at its corners. Of a scan the corners lie on what was scanned and the facet inside of it where it bulges: with all weight on
+/// the facet the volume of the facets stays and their girth is lost by a third of that, with all at the corners the other way round. Between them both
+/// stay. Of a surface that is known exactly at its corners all weight is there.
+constexpr double scanned_corners = 0.25, exact_corners = 1.0;
+
 /// Points are drawn onto the quadric that fits the scan's facets around them best (moving least squares: weights fall like a Gaussian of
 /// standard deviation `radius / 2`, and with the turn of a facet's normal, so that a thigh does not pull at the other one). Facets count with their
-/// area, by points inside and, to a quarter, by their corners, so that volume and girths stay. Only what hangs together with
+/// area, by points inside and by their corners, so that volume and girths stay. Only what hangs together with
 /// the nearest point counts. Where facets are large the Gaussian is as wide as they ask for.
 class SmoothSurface {
  public:
-  SmoothSurface(TriangleSurface surface, double radius);
+  SmoothSurface(TriangleSurface surface, double radius, double at_corners = scanned_corners);
 
   struct Point {
     Eigen::Vector3d x, normal;
@@ -32,7 +37,7 @@ class SmoothSurface {
 
   TriangleSurface surface_;
   SurfaceTree tree_;
-  double sigma_;
+  double sigma_, at_corners_;
   std::vector<std::vector<int>> triangles_at_;  // of each vertex
   std::vector<Eigen::Vector3d> normals_;        // of each triangle
   std::vector<double> areas_;

@@ -46,7 +46,7 @@ inline mesh::TriangleSurface tube(const Tube& t) {
 
 /// Two legs at x = +-0.08 from z = 0 to 0.4 that join a trunk of 0.3 to 0.7 smoothly.
 struct Trousers {
-  double leg = 0.06, trunk = 0.12, spacing = 0.006;
+  double leg = 0.06, trunk = 0.12, spacing = 0.007;
 };
 inline mesh::TriangleSurface trousers(const Trousers& t) {
   const auto capsule = [](const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius) {

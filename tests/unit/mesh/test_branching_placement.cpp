@@ -86,7 +86,8 @@ TEST(BranchingPlacement, ShortsAreLaidOnHips) {
     const Eigen::Vector2d u = mesh.pattern[t[1]] - mesh.pattern[t[0]], v = mesh.pattern[t[2]] - mesh.pattern[t[0]];
     area += 0.5 * (u.x() * v.y() - u.y() * v.x());
   }
-  for (const Piece& piece : shorts().pattern->pattern.pieces) pieces += mesh::area(piece);
+  const GarmentCut cut = shorts();
+  for (const Piece& piece : cut.pattern->pattern.pieces) pieces += mesh::area(piece);
   EXPECT_NEAR(area, pieces, 2e-3 * pieces);
 }
 

@@ -202,7 +202,7 @@ TEST(Placement, GarmentsWithLegsWithShouldersAndWithNeitherAreAccepted) {
     const Worn garment = worn(text);
     EXPECT_EQ(faults(garment.placed), "") << text.substr(0, 60);
     EXPECT_TRUE(garment.placed.accepted());
-    EXPECT_GT(garment.placed.first_gap + garment.placed.last_gap, 0.0);
+    if (garment.sewn.pieces.size() > 1) EXPECT_GT(garment.placed.first_gap + garment.placed.last_gap, 0.0);  // one piece is laid closed
   }
 }
 
