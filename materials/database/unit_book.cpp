@@ -16,14 +16,6 @@ constexpr std::array names = {"m",       "kg/m2",    "N/m",  "J/m2",     "N/(m r
                               "m/s",     "N s/m2",   "kg/s", "1/s",      "1/K",       "Hz",        "J",        "W",
                               "W/m2",    "m2 K/W",   "N/m3", "N m/rad",  "N m2",      "kg/(m2 s)", "m3/(m2 s)"};
 
-/// The size of a unit in another one of its dimension. To udunits 1/m converts to m, too, as a reciprocal: that is no
-/// size.
-bool size_in(const std::string& unit, const std::string& si_unit, double& factor) {
-  double ignored = 0.0;
-  return input::unit_factor(unit, si_unit, factor) &&
-         !input::unit_factor("(" + unit + ") (" + si_unit + ")", "m/m", ignored);
-}
-
 /// "kg m-1 s-3" for what has no name of its own: powers of small size, tried one after the other.
 std::string of_base_units(const std::string& unit) {
   const auto power = [](const char* base, int exponent) {
@@ -37,7 +29,7 @@ std::string of_base_units(const std::string& unit) {
           for (int second = -5; second <= 5; ++second) {
             const std::string text =
                 power("kg", kg) + power("m", metre) + power("s", second) + power("K", kelvin) + power("rad", rad);
-            if (!text.empty() && size_in(unit, text.substr(0, text.size() - 1), factor))
+            if (!text.empty() && input::unit_factor(unit, text.substr(0, text.size() - 1), factor))
               return text.substr(0, text.size() - 1);
           }
   return {};
@@ -58,7 +50,7 @@ std::optional<SiUnit> look_up(const std::string& unit) {
   if (input::unit_factor(unit, "rad", factor))
     return SiUnit{"rad", factor};  // where an angle is a ratio, a product of two of them is one, too
   for (const char* name : names)
-    if (size_in(unit, name, factor))
+    if (input::unit_factor(unit, name, factor))
       return is_multiple(unit, name, factor) ? std::optional(SiUnit{name, factor}) : std::nullopt;
   if (input::unit_factor(unit, "m/m", factor)) return SiUnit{.name = {}, .factor = factor};
   const std::string name = of_base_units(unit);

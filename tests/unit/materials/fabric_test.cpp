@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "materials/fabric/inputs.hpp"
 #include "tests/unit/materials/fabrics_under_test.hpp"
 
 namespace snug::testing {
@@ -27,6 +28,13 @@ TEST(Fabric, UnrelaxedIsConvex) {
       const auto r = f.unrelaxed(random_strain(random, 1.0));
       ASSERT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(r.tangent).eigenvalues()[0], 0.0) << name;
     }
+}
+
+TEST(Fabric, TheSofterDirectionGivesTheCoupling) {
+  // As a case writes it: with the stiffer one, half of 1000 N/m against 1000 and 100 N/m, energy would be gained by stretching.
+  const materials::LinearFabric written{.warp = 1000.0, .weft = 100.0, .shear = 30.0, .sheet = {.poisson = 0.5}};
+  EXPECT_EQ(written.fabric().coupling, 50.0);
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(written.fabric().unrelaxed(Vector3d::Zero()).tangent).eigenvalues()[0], 0.0);
 }
 
 TEST(Fabric, OffAxisStiffness) {
