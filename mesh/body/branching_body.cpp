@@ -28,9 +28,18 @@ constexpr double grid_over_size = 0.3;  // of the grid that inner surfaces are f
 
 Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
+/// What other cells may do better.
+class NotMeshed : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 class Maker {
  public:
   explicit Maker(const input::BodySpec& spec) : spec_(spec), scan_(*spec.scan), layering_(spec) {}
+
+  /// m, at the skin; 0 before it is known.
+  double cell_size() const { return size_; }
 
   ScannedBody make() {
     ScanSurface read = read_scan_surface(scan_, spec_.where);
@@ -77,11 +86,26 @@ class Maker {
     say_mendings(mended_.mendings);
   }
 
+  using Sections = std::vector<std::vector<Eigen::Vector2d>>;
+
+  /// The section at the cut's point, which has to lie in it or hardly beside it: far off it would part another limb than was meant.
+  static std::vector<std::size_t> section_of(const Cut& cut, const Sections& sections) {
+    constexpr double beside = 0.5;  // of the radius of a circle as large as the section
+    const std::vector<std::size_t> found = section_at_origin(sections);
+    if (found.empty()) return found;
+    const auto& section = sections[found.front()];
+    const double off = inside_polygon(Eigen::Vector2d::Zero(), section) ? 0.0 : distance_to_polygon(Eigen::Vector2d::Zero(), section);
+    if (off > beside * std::sqrt(std::abs(polygon_area(section)) / std::numbers::pi))
+      throw InputError(cut.where, fmt::format("the point of the cut \"{}\" lies {:.0f} mm outside the surface", cut.name, 1e3 * off),
+                       "give a point inside the limb that is cut, in the file's axes");
+    return found;
+  }
+
   /// What the cuts leave of the whole surface.
   TriangleSurface cut_surface() const {
     TriangleSurface kept = mended_.surface;
     for (const Cut& cut : cuts_)
-      if (cut_off(kept, cut, section_at_origin).empty())
+      if (cut_off(kept, cut, [&](const Sections& sections) { return section_of(cut, sections); }).empty())
         throw InputError(cut.where, fmt::format("the cut \"{}\" misses the surface", cut.name), "check its point (in the file's frame), the scan's unit and its up axis");
     return compacted(kept);
   }
@@ -124,7 +148,7 @@ class Maker {
       make();
     }
     if (surfaces_[0].cuts_itself)
-      throw InputError({scan_.surface.string()}, "the surface still cuts itself where it was remeshed", "take a smaller cell_size, or write wrap = \"10 mm\"");
+      throw NotMeshed({scan_.surface.string()}, "the surface still cuts itself where it was remeshed", "take a smaller cell_size, or write wrap = \"10 mm\"");
     kept_ = closed_flat(kept);
     report().cell_size = size_, report().smoothing_radius = radius_;
     report().skin_triangles = static_cast<int>(surfaces_[0].mesh.triangles.size()), report().skin_on_facets = surfaces_[0].on_facets;
@@ -196,7 +220,7 @@ class Maker {
     if (kept.triangles.empty()) throw InputError(spec_.where, fmt::format("no part of \"{}\" lies between the cuts", name), "check unit and place of the core, or make the tissue thinner");
     if (!border_loops(kept).empty()) size = std::min(size, narrowest_girth(kept) / fewest_cells_round);
     surfaces_.push_back(nested_surface(name, std::move(whole), kept, cuts_, size, {std::min(radius_, 0.5 * size), at_corners}, spec_.where));
-    if (surfaces_.back().cuts_itself) throw InputError(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
+    if (surfaces_.back().cuts_itself) throw NotMeshed(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
   }
 
   /// From the outside: layers with a thickness under the skin, those over the core, the core.
@@ -249,7 +273,7 @@ class Maker {
         const auto in = std::count_if(hole.begin(), hole.end(), [&](const auto& p) { return inside_polygon(p, outer); });
         if (in == 0) continue;
         if (in < static_cast<long>(hole.size()))
-          throw InputError(cuts_[c].where, fmt::format("\"{}\" and \"{}\" meet at the cut \"{}\"", surfaces_[s].name, surfaces_[s + 1].name, cuts_[c].name), "make the layers or the core thinner there");
+          throw NotMeshed(cuts_[c].where, fmt::format("\"{}\" and \"{}\" meet at the cut \"{}\"", surfaces_[s].name, surfaces_[s + 1].name, cuts_[c].name), "make the layers or the core thinner there");
         for (const int v : inner) number.push_back(first_[s + 1] + v);
         holes.push_back(std::move(hole));
       }
@@ -266,7 +290,7 @@ class Maker {
     try {
       return work();
     } catch (const std::runtime_error& error) {
-      throw InputError(where, fmt::format("{} cannot be meshed: gmsh: {}", what, error.what()), "take another cell_size, thinner layers or a smaller core: surfaces meet, perhaps");
+      throw NotMeshed(where, fmt::format("{} cannot be meshed: gmsh: {}", what, error.what()), "take another cell_size, thinner layers or a smaller core: surfaces meet, perhaps");
     }
   }
 
@@ -289,7 +313,7 @@ class Maker {
       complex_.regions.push_back(std::move(region));
     }
     const Tetrahedra linear = by_gmsh(spec_.where, "the body", [&] { return filled(complex_); });
-    if (linear.cells.empty()) throw InputError(spec_.where, "gmsh filled the body with no cells", "take another cell_size");
+    if (linear.cells.empty()) throw NotMeshed(spec_.where, "gmsh filled the body with no cells", "take another cell_size");
     std::vector<std::vector<std::array<int, 3>>> faces(cuts_.size());
     for (std::size_t c = 0; c < cuts_.size(); ++c)
       for (const auto& part : caps_[c]) faces[c].insert(faces[c].end(), part.begin(), part.end());
@@ -342,7 +366,7 @@ class Maker {
       for (const SamplePoint& sample : check_points(mesh().kind)) {
         if (jacobian(x, sample).determinant() > 0.0) continue;
         const Eigen::Vector3d at = 1e3 * x.rowwise().mean();
-        throw InputError(spec_.where, fmt::format("a cell near ({:.0f}, {:.0f}, {:.0f}) mm would turn inside out", at.x(), at.y(), at.z()), "take a smaller cell_size or thicker layers there");
+        throw NotMeshed(spec_.where, fmt::format("a cell near ({:.0f}, {:.0f}, {:.0f}) mm would turn inside out", at.x(), at.y(), at.z()), "take a smaller cell_size or thicker layers there");
       }
     }
   }
@@ -360,7 +384,7 @@ class Maker {
     double cells = layering_.bone() ? 0.0 : volume_inside(mesh(), "bone");
     for (const QualityRow& row : quality(mesh())) cells += row.volume;
     if (std::abs(cells - report().volume) <= tolerance * report().volume) return;
-    throw InputError(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),
+    throw NotMeshed(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),
                      "take another cell_size: gmsh has filled a layer wrongly");
   }
 
@@ -383,53 +407,22 @@ class Maker {
 
 ScannedBody body_from_scan(const input::BodySpec& spec) {
   if (!spec.scan) throw InputError(spec.where, "body kind \"scan\" without a scan", "add the table [body.scan]");
-  return Maker(spec).make();
-}
-
-namespace {
-
-/// Of two cuts the lower one and the upper one along the file's up axis.
-std::pair<const input::NamedCut*, const input::NamedCut*> by_height(const input::ScanSpec& scan) {
-  const int axis = static_cast<int>(scan.up);
-  const auto height = [&](const input::NamedCut& cut) { return (axis < 3 ? 1.0 : -1.0) * cut.point[axis % 3]; };
-  const auto &a = scan.cuts[0], &b = scan.cuts[1];
-  return height(a) < height(b) ? std::pair{&a, &b} : std::pair{&b, &a};
-}
-
-}  // namespace
-
-input::BodySpec with_lower_and_upper(const input::BodySpec& spec) {
-  input::BodySpec limb = spec;
-  if (spec.scan->lower || spec.scan->cuts.size() != 2) return limb;
-  const auto [low, high] = by_height(*spec.scan);
-  limb.scan->lower = input::CutPlane{low->point, low->normal}, limb.scan->upper = input::CutPlane{high->point, high->normal};
-  return limb;
-}
-
-void name_cuts(const input::BodySpec& spec, BodyMesh& mesh) {
-  if (!spec.scan || spec.scan->cuts.size() != 2) return;
-  const auto [low, high] = by_height(*spec.scan);
-  for (const auto& [surface, name] : {std::pair{"lower", low->name}, std::pair{"upper", high->name}})
-    if (const Surface* face = mesh.surface(surface); face && !mesh.surface(name)) {
-      Surface same = *face;
-      same.name = name;
-      mesh.surfaces.push_back(std::move(same));
+  constexpr int smaller = 2;      // tries with smaller cells: facets of surfaces that lie close cut each other less
+  constexpr double shrink = 0.8;
+  input::BodySpec tried = spec;
+  std::vector<std::string> in_vain;
+  for (int attempt = 0;; ++attempt) {
+    Maker maker(tried);
+    try {
+      ScannedBody body = maker.make();
+      body.report.said.insert(body.report.said.end(), in_vain.begin(), in_vain.end());
+      return body;
+    } catch (const NotMeshed& fault) {
+      if (attempt == smaller || !(maker.cell_size() > 0.0)) throw;
+      in_vain.push_back(fmt::format("cells of {:.1f} mm did not do: {}", 1e3 * maker.cell_size(), fault.errors().front().found));
+      tried.scan->cell_size = shrink * maker.cell_size();
     }
-}
-
-CellChoice choose_cells(const input::BodySpec& spec) {
-  if (!spec.scan) return {};
-  const input::ScanSpec& scan = *spec.scan;
-  if (scan.cells != input::ScanCells::automatic) return {scan.cells == input::ScanCells::tetrahedra, "as the case asks"};
-  if (scan.core || !scan.bone) return {true, "the body has a core instead of one bone's outline"};
-  if (scan.cuts.empty()) return {false, "one limb lies between two cuts"};
-  if (scan.cuts.size() != 2) return {true, fmt::format("there are {} cuts", scan.cuts.size())};
-  try {
-    limb_from_scan(with_lower_and_upper(spec));
-  } catch (const InputError& error) {
-    return {true, fmt::format("no single limb lies between the two cuts ({})", error.what())};
   }
-  return {false, "one limb lies between two cuts"};
 }
 
 }  // namespace snug::mesh

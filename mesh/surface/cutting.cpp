@@ -137,6 +137,8 @@ std::vector<char> beyond(const TriangleSurface& surface, const Crossing& crossin
   return reached;
 }
 
+}  // namespace
+
 double distance_to_polygon(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& polygon) {
   double nearest = std::numeric_limits<double>::max();
   for (std::size_t n = 0; n < polygon.size(); ++n) {
@@ -146,8 +148,6 @@ double distance_to_polygon(const Eigen::Vector2d& p, const std::vector<Eigen::Ve
   }
   return nearest;
 }
-
-}  // namespace
 
 PlaneFrame::PlaneFrame(const Cut& cut) : origin(cut.point) {
   int least = 0;

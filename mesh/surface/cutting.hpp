@@ -31,6 +31,7 @@ struct PlaneFrame {
 };
 
 double polygon_area(const std::vector<Eigen::Vector2d>& polygon);  ///< with sign, counter-clockwise positive
+double distance_to_polygon(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& polygon);  ///< of its outline
 bool inside_polygon(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& polygon);
 
 /// Which of the sections (polygons in the frame of the plane) are cut through; indices.

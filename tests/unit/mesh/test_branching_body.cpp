@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -113,9 +114,20 @@ TEST(BranchingBody, WrongCutsAndCoresAreRefusedWithTheirNames) {
   };
   const auto expect = [](const std::string& error, const std::string& part) { EXPECT_NE(error.find(part), std::string::npos) << error; };
   expect(with([](auto& s) { s.scan->cuts[1].point[2] = 0.5; }), "\"high\" misses the surface");
+  expect(with([](auto& s) { s.scan->cuts[1].point[0] = 0.12; }), "the point of the cut \"high\" lies 70 mm outside the surface");
   expect(with([](auto& s) { s.scan->core->thickness = 0.2; }), "so deep");
   expect(with([](auto& s) { s.scan->surface = "/nowhere.obj"; }), "no such file");
   expect(with([](auto& s) { s.scan->cuts[0].normal = {0, 0, 1}; }), "cut \"high\" misses");
+}
+
+TEST(BranchingBody, CellsThatAreTooLargeForALayerAreMadeSmallerAndThatIsSaid) {
+  // On a radius of 50 mm facets of 46 mm lie up to 5 mm inside, as far as a layer is thick.
+  const tests::ObjFile file(tests::tube({}));
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.02, 0.046);
+  spec.layers[2].thickness = 0.005;
+  const ScannedBody body = body_from_scan(spec);
+  EXPECT_LT(body.report.cell_size, 0.046);
+  EXPECT_TRUE(std::any_of(body.report.said.begin(), body.report.said.end(), [](const std::string& line) { return line.starts_with("cells of 46.0 mm did not do: "); }));
 }
 
 TEST(BranchingBody, OneTubeBetweenTwoCutsBecomesHexahedraAndWhatBranchesTetrahedra) {
