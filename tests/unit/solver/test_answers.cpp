@@ -138,6 +138,22 @@ std::string stages(const input::Case& c) {
   return text;
 }
 
+// An increment that does not converge is no state: with one iteration allowed the path ends where it began, and says so.
+TEST(Path, WhatDoesNotConvergeIsNotGoneOnFrom) {
+  const input::Case c = describe_tube(coarse());
+  const solver::Meshes meshes = make_meshes(c);
+  solver::Scene scene = tests::make_scene(c, meshes, Skin::rigid);
+  const solver::State start = solver::placed_state(scene.layout(), meshes);
+  solver::PathSettings settings;
+  settings.newton.iterations = 1, settings.failures = 2;
+  const solver::PathResult path = solver::follow_path(scene, start, solver::tightening(), settings, [](const postproc::Iteration&) {});
+  EXPECT_FALSE(path.complete);
+  EXPECT_EQ(path.increments, 0);
+  EXPECT_EQ(path.reached, 0.0);
+  EXPECT_GT(path.lost, 0);
+  EXPECT_EQ((path.state.values - start.values).norm(), 0.0);
+}
+
 // A case walks the stages that it needs and no others; where a held garment does not rub, another way stands in.
 TEST(Stage, AreThoseOfTheCase) {
   input::Case c = describe_tube(coarse());
