@@ -88,21 +88,23 @@ class Maker {
 
   using Sections = std::vector<std::vector<Eigen::Vector2d>>;
 
-  /// The section at the cut's point, which has to lie in it or hardly beside it: far off it would part another limb than was meant.
-  static std::vector<std::size_t> section_of(const Cut& cut, const Sections& sections) {
-    constexpr double beside = 0.5;  // of the radius of a circle as large as the section
+  /// The section at the cut's point. Where the point lies outside of all of them the nearest is meant, if that is near and no other nearly as near.
+  std::vector<std::size_t> section_of(const Cut& cut, const Sections& sections) {
+    constexpr double beside = 0.5, farthest = 2.0;  // of the radius of a circle as large as the section
+    const auto distance = [](const auto& section) { return inside_polygon(Eigen::Vector2d::Zero(), section) ? 0.0 : distance_to_polygon(Eigen::Vector2d::Zero(), section); };
     const std::vector<std::size_t> found = section_at_origin(sections);
     if (found.empty()) return found;
-    const auto& section = sections[found.front()];
-    const double off = inside_polygon(Eigen::Vector2d::Zero(), section) ? 0.0 : distance_to_polygon(Eigen::Vector2d::Zero(), section);
-    if (off > beside * std::sqrt(std::abs(polygon_area(section)) / std::numbers::pi))
-      throw InputError(cut.where, fmt::format("the point of the cut \"{}\" lies {:.0f} mm outside the surface", cut.name, 1e3 * off),
-                       "give a point inside the limb that is cut, in the file's axes");
+    const double off = distance(sections[found.front()]), radius = std::sqrt(std::abs(polygon_area(sections[found.front()])) / std::numbers::pi);
+    if (off <= beside * radius) return found;
+    const auto nearly = std::count_if(sections.begin(), sections.end(), [&](const auto& section) { return distance(section) < 2.0 * off; });
+    const std::string outside = fmt::format("the point of the cut \"{}\" lies {:.0f} mm outside the surface", cut.name, 1e3 * off);
+    if (off > farthest * radius || nearly > 1) throw InputError(cut.where, outside, "give a point inside the limb that is cut, in the file's axes");
+    if (surfaces_.empty()) report().said.push_back(outside + "; the limb next to it is cut");
     return found;
   }
 
   /// What the cuts leave of the whole surface.
-  TriangleSurface cut_surface() const {
+  TriangleSurface cut_surface() {
     TriangleSurface kept = mended_.surface;
     for (const Cut& cut : cuts_)
       if (cut_off(kept, cut, [&](const Sections& sections) { return section_of(cut, sections); }).empty())

@@ -114,10 +114,20 @@ TEST(BranchingBody, WrongCutsAndCoresAreRefusedWithTheirNames) {
   };
   const auto expect = [](const std::string& error, const std::string& part) { EXPECT_NE(error.find(part), std::string::npos) << error; };
   expect(with([](auto& s) { s.scan->cuts[1].point[2] = 0.5; }), "\"high\" misses the surface");
-  expect(with([](auto& s) { s.scan->cuts[1].point[0] = 0.12; }), "the point of the cut \"high\" lies 70 mm outside the surface");
+  expect(with([](auto& s) { s.scan->cuts[1].point[0] = 0.2; }), "the point of the cut \"high\" lies 150 mm outside the surface");
   expect(with([](auto& s) { s.scan->core->thickness = 0.2; }), "so deep");
   expect(with([](auto& s) { s.scan->surface = "/nowhere.obj"; }), "no such file");
   expect(with([](auto& s) { s.scan->cuts[0].normal = {0, 0, 1}; }), "cut \"high\" misses");
+}
+
+TEST(BranchingBody, APointBesideALimbMeansTheLimbUnlessAnotherIsNearlyAsNear) {
+  const tests::ObjFile legs(tests::trousers({.spacing = 0.012}), "beside");
+  input::BodySpec spec = spec_of(legs, trouser_cuts, 0.03, 0.03);
+  spec.scan->cuts[1].point = {0.18, 0.0, 0.15};  // 40 mm beside a leg of 60 mm
+  const ScannedBody body = body_from_scan(spec);
+  EXPECT_TRUE(std::any_of(body.report.said.begin(), body.report.said.end(), [](const std::string& line) { return line.find("the limb next to it is cut") != std::string::npos; }));
+  spec.scan->cuts[1].point = {0.0, 0.08, 0.15};  // as far from either leg
+  EXPECT_NE(error_of(spec).find("the point of the cut \"left\" lies 51 mm outside the surface"), std::string::npos) << error_of(spec);
 }
 
 TEST(BranchingBody, CellsThatAreTooLargeForALayerAreMadeSmallerAndThatIsSaid) {
