@@ -1,6 +1,7 @@
 #include "mesh/body/branching_body.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -27,6 +28,16 @@ constexpr double fewest_cells_round = 12.0;  // of an inner surface: its curved 
 constexpr double grid_over_size = 0.3;  // of the grid that inner surfaces are found on
 
 Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+/// Of a tube of the same volume and area: 2 pi r with r = 2 V/A. A core that runs out at a cut may have rims of no size.
+double mean_girth(const TriangleSurface& surface) {
+  double area = 0.0;
+  for (const auto& t : surface.triangles) {
+    const auto& x = surface.vertices;
+    area += 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
+  }
+  return 4.0 * std::numbers::pi * std::abs(enclosed_volume(closed_flat(surface))) / area;
+}
 
 /// What other cells may do better.
 class NotMeshed : public InputError {
@@ -218,11 +229,23 @@ class Maker {
 
   void add_inner(const std::string& name, TriangleSurface whole, double size, const SurfaceTree& inside, double at_corners = exact_corners) {
     refuse_empty(whole, name);
-    const TriangleSurface kept = kept_inside(whole, cuts_, surfaces_[0], inside);
-    if (kept.triangles.empty()) throw InputError(spec_.where, fmt::format("no part of \"{}\" lies between the cuts", name), "check unit and place of the core, or make the tissue thinner");
-    if (!border_loops(kept).empty()) size = std::min(size, narrowest_girth(kept) / fewest_cells_round);
-    surfaces_.push_back(nested_surface(name, std::move(whole), kept, cuts_, size, {std::min(radius_, 0.5 * size), at_corners}, spec_.where));
-    if (surfaces_.back().cuts_itself) throw NotMeshed(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
+    const double asked = size;
+    const auto make = [&](double corners) {
+      const TriangleSurface kept = kept_inside(whole, cuts_, surfaces_[0], inside);
+      if (kept.triangles.empty()) throw InputError(spec_.where, fmt::format("no part of \"{}\" lies between the cuts", name), "check unit and place of the core, or make the tissue thinner");
+      size = std::min(asked, mean_girth(kept) / fewest_cells_round);
+      return nested_surface(name, whole, kept, cuts_, size, {std::min(radius_, 0.5 * size), corners}, spec_.where);
+    };
+    NestedSurface surface = make(at_corners);
+    if (surface.cuts_itself) {  // where a layer ends as thin as an edge
+      MendedSurface wrapped = wrap(whole, 0.8 * size, 0.08 * size);
+      for (Mending& one : wrapped.mendings) one.what = name + ": " + one.what;
+      say_mendings(wrapped.mendings);
+      whole = std::move(wrapped.surface);
+      surface = make(scanned_corners);
+    }
+    if (surface.cuts_itself) throw NotMeshed(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
+    surfaces_.push_back(std::move(surface));
   }
 
   /// From the outside: layers with a thickness under the skin, those over the core, the core.

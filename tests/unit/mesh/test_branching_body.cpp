@@ -130,6 +130,18 @@ TEST(BranchingBody, APointBesideALimbMeansTheLimbUnlessAnotherIsNearlyAsNear) {
   EXPECT_NE(error_of(spec).find("the point of the cut \"left\" lies 51 mm outside the surface"), std::string::npos) << error_of(spec);
 }
 
+TEST(BranchingBody, ACoreThatIsHardlyThereIsMeshed) {
+  // 3 mm of radius are left inside of 47 mm of tissue; on a cone they run out at the upper cut.
+  const tests::ObjFile thin(tests::tube({}));
+  const ScannedBody body = body_from_scan(spec_of(thin, tube_cuts, 0.047, 0.03));
+  EXPECT_NEAR(body.report.volume / (pi * 0.2 * 0.05 * 0.05), 1.0, 2e-3);
+  TriangleSurface cone = tests::tube({});
+  for (auto& x : cone.vertices) x.head<2>() *= 1.0 - 0.5 * x.z();  // 35 to 47.5 mm between the cuts
+  const tests::ObjFile tapered(cone, "cone");
+  const ScannedBody ends = body_from_scan(spec_of(tapered, tube_cuts, 0.0423, 0.03));
+  EXPECT_NEAR(ends.report.volume / ends.report.volume_of_scan, 1.0, 5e-3);
+}
+
 TEST(BranchingBody, CellsThatAreTooLargeForALayerAreMadeSmallerAndThatIsSaid) {
   // On a radius of 50 mm facets of 46 mm lie up to 5 mm inside, as far as a layer is thick.
   const tests::ObjFile file(tests::tube({}));
