@@ -16,6 +16,7 @@ namespace snug::mesh {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr tests::Tube coarse_scan{.around = 60, .along = 30};  // where its measures are not looked at
 
 input::BodySpec spec_of(const tests::ObjFile& file, std::vector<input::NamedCut> cuts, double tissue, double size) {
   input::BodySpec spec;
@@ -96,7 +97,7 @@ TEST(BranchingBody, AnElasticCoreIsALayerOfItsOwn) {
 }
 
 TEST(BranchingBody, WhatTheCutsDropMayHaveHolesWhatTheyKeepMayNot) {
-  TriangleSurface open = tests::tube({});
+  TriangleSurface open = tests::tube(coarse_scan);
   std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]].z() > 0.37 && open.vertices[t[0]].x() > -0.02; });
   const tests::ObjFile file(open);
   EXPECT_EQ(error_of(spec_of(file, tube_cuts, 0.03, 0.022)), "no error");
@@ -106,7 +107,7 @@ TEST(BranchingBody, WhatTheCutsDropMayHaveHolesWhatTheyKeepMayNot) {
 }
 
 TEST(BranchingBody, WrongCutsAndCoresAreRefusedWithTheirNames) {
-  const tests::ObjFile file(tests::tube({}));
+  const tests::ObjFile file(tests::tube(coarse_scan));
   const auto with = [&](auto change) {
     input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
     change(spec);
@@ -132,10 +133,10 @@ TEST(BranchingBody, APointBesideALimbMeansTheLimbUnlessAnotherIsNearlyAsNear) {
 
 TEST(BranchingBody, ACoreThatIsHardlyThereIsMeshed) {
   // 3 mm of radius are left inside of 47 mm of tissue; on a cone they run out at the upper cut.
-  const tests::ObjFile thin(tests::tube({}));
+  const tests::ObjFile thin(tests::tube(coarse_scan));
   const ScannedBody body = body_from_scan(spec_of(thin, tube_cuts, 0.047, 0.03));
   EXPECT_NEAR(body.report.volume / (pi * 0.2 * 0.05 * 0.05), 1.0, 2e-3);
-  TriangleSurface cone = tests::tube({});
+  TriangleSurface cone = tests::tube(coarse_scan);
   for (auto& x : cone.vertices) x.head<2>() *= 1.0 - 0.5 * x.z();  // 35 to 47.5 mm between the cuts
   const tests::ObjFile tapered(cone, "cone");
   const ScannedBody ends = body_from_scan(spec_of(tapered, tube_cuts, 0.0423, 0.03));
@@ -144,7 +145,7 @@ TEST(BranchingBody, ACoreThatIsHardlyThereIsMeshed) {
 
 TEST(BranchingBody, CellsThatAreTooLargeForALayerAreMadeSmallerAndThatIsSaid) {
   // On a radius of 50 mm facets of 46 mm lie up to 5 mm inside, as far as a layer is thick.
-  const tests::ObjFile file(tests::tube({}));
+  const tests::ObjFile file(tests::tube(coarse_scan));
   input::BodySpec spec = spec_of(file, tube_cuts, 0.02, 0.046);
   spec.layers[2].thickness = 0.005;
   const ScannedBody body = body_from_scan(spec);
@@ -153,7 +154,7 @@ TEST(BranchingBody, CellsThatAreTooLargeForALayerAreMadeSmallerAndThatIsSaid) {
 }
 
 TEST(BranchingBody, OneTubeBetweenTwoCutsBecomesHexahedraAndWhatBranchesTetrahedra) {
-  const tests::ObjFile tube(tests::tube({})), legs(tests::trousers({}), "legs");
+  const tests::ObjFile tube(tests::tube(coarse_scan)), legs(tests::trousers({}), "legs");
   input::BodySpec spec = spec_of(tube, tube_cuts, 0.03, 0.022);
   EXPECT_TRUE(choose_cells(spec).tetrahedra);  // a core
   spec.scan->core.reset(), spec.scan->bone = input::BoneSpec{.girth = 0.1};
@@ -198,7 +199,7 @@ double area_of(const BodyMesh& mesh, int location) {
 
 // Cells of 10 mm: a patch loses about a cell along its border.
 TEST(Locations, LandmarkPolygonAndSectorOfALimbAreFoundWhereTheyAre) {
-  const tests::ObjFile file(tests::trousers({}));
+  const tests::ObjFile file(tests::trousers({.spacing = 0.01}));
   input::BodySpec spec = spec_of(file, trouser_cuts, 0.03, 0.02);
   input::LocationSpec landmark, polygon, sector;
   landmark.name = "front waist", landmark.at = std::array{0.0, 0.12, 0.5}, landmark.radius = 0.05;
@@ -221,7 +222,7 @@ TEST(Locations, LandmarkPolygonAndSectorOfALimbAreFoundWhereTheyAre) {
 }
 
 TEST(Locations, ALandmarkFarFromTheSkinIsRefusedWithTheNearestPlace) {
-  const tests::ObjFile file(tests::tube({}));
+  const tests::ObjFile file(tests::tube(coarse_scan));
   input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
   input::LocationSpec landmark;
   landmark.name = "knee", landmark.at = std::array{0.2, 0.0, 0.2}, landmark.radius = 0.03;
