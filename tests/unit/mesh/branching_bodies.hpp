@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mesh/body/body_mesh.hpp"
+#include "tests/unit/mesh/placement_patterns.hpp"
 #include "tests/unit/mesh/standing_bodies.hpp"
 
 namespace snug::mesh {
@@ -261,59 +262,15 @@ inline double hips(const Eigen::Vector3d& p) {
 /// The hips in cells of about `size` (m), with a rigid core 30 mm below the skin.
 inline BodyMesh hips_body(double size) { return ImplicitBody(hips, {0.14, 0.11}, 0.0, 0.46, size, 0.03).take(); }
 
-/// Shorts for the hips, an eighth narrower: four pieces, six seams.
-inline const std::string test_shorts = R"(unit = "1 cm"
-[[piece]]
-name = "front right"
-edges = [
-  { name = "hem",    from = [0.5, 8] },
+/// Shorts for the hips, an eighth narrower; front and back alike.
+inline const std::string shorts_outline = R"(  { name = "hem",    from = [0.5, 8] },
   { name = "inseam", from = [14, 8] },
   { name = "crotch", kind = "cubic", from = [15.8, 22], control = [[14.4, 22.3], [14.1, 24]] },
   { name = "rise",   from = [14, 27] },
   { name = "waist",  from = [13.2, 40] },
   { name = "side",   kind = "cubic", from = [0.5, 40], control = [[0, 30], [0, 20]] },
-]
-[[piece]]
-name = "front left"
-mirror_of = "front right"
-[[piece]]
-name = "back left"
-edges = [
-  { name = "hem",    from = [0.5, 8] },
-  { name = "inseam", from = [14, 8] },
-  { name = "crotch", kind = "cubic", from = [15.8, 22], control = [[14.4, 22.3], [14.1, 24]] },
-  { name = "rise",   from = [14, 27] },
-  { name = "waist",  from = [13.2, 40] },
-  { name = "side",   kind = "cubic", from = [0.5, 40], control = [[0, 30], [0, 20]] },
-]
-[[piece]]
-name = "back right"
-mirror_of = "back left"
-[[seam]]
-name = "side right"
-a = "front right.side"
-b = "back right.side"
-[[seam]]
-name = "side left"
-a = "front left.side"
-b = "back left.side"
-[[seam]]
-name = "inseam right"
-a = "front right.inseam"
-b = "back right.inseam"
-[[seam]]
-name = "inseam left"
-a = "front left.inseam"
-b = "back left.inseam"
-[[seam]]
-name = "centre front"
-a = "front right.crotch + front right.rise"
-b = "front left.rise + front left.crotch"
-[[seam]]
-name = "centre back"
-a = "back left.crotch + back left.rise"
-b = "back right.rise + back right.crotch"
-[[hem]]
+)";
+inline const std::string test_shorts = legs_pattern(shorts_outline, shorts_outline) + R"([[hem]]
 name = "waist"
 edges = "front right.waist + front left.waist + back left.waist + back right.waist"
 )";

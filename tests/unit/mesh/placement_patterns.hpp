@@ -5,35 +5,12 @@
 
 namespace snug::mesh {
 
-/// Four pieces, six seams; a tenth narrower than the legs. Back pieces are drawn, the others are their mirrors.
-inline const std::string test_leggings = R"(unit = "1 cm"
-[[piece]]
-name = "front right"
-edges = [
-  { name = "hem",    from = [3, 16] },
-  { name = "inseam", kind = "cubic", from = [15, 16], control = [[17, 40], [19, 60]] },
-  { name = "crotch", kind = "cubic", from = [23, 74], control = [[19.5, 74.5], [19, 78]] },
-  { name = "rise",   from = [18.5, 82] },
-  { name = "waist",  from = [18, 104] },
-  { name = "side",   kind = "cubic", from = [0, 104], control = [[0, 80], [0, 50]] },
-]
-[[piece]]
-name = "front left"
-mirror_of = "front right"
-[[piece]]
-name = "back left"
-edges = [
-  { name = "hem",    from = [3, 16] },
-  { name = "inseam", kind = "cubic", from = [15, 16], control = [[17, 40], [19, 60]] },
-  { name = "crotch", kind = "cubic", from = [25, 74], control = [[20.5, 74.5], [20, 78]] },
-  { name = "rise",   from = [19.5, 82] },
-  { name = "waist",  from = [18, 106] },
-  { name = "side",   kind = "cubic", from = [0, 104], control = [[0, 80], [0, 50]] },
-]
-[[piece]]
-name = "back right"
-mirror_of = "back left"
-[[seam]]
+/// Fronts and backs of two legs with these outlines, and their six seams. The front right and the back left piece are drawn, the others are their mirrors.
+inline std::string legs_pattern(const std::string& front, const std::string& back) {
+  const auto drawn = [](const std::string& name, const std::string& outline) { return "[[piece]]\nname = \"" + name + "\"\nedges = [\n" + outline + "]\n"; };
+  const auto mirrored = [](const std::string& name, const std::string& of) { return "[[piece]]\nname = \"" + name + "\"\nmirror_of = \"" + of + "\"\n"; };
+  return "unit = \"1 cm\"\n" + drawn("front right", front) + mirrored("front left", "front right") + drawn("back left", back) + mirrored("back right", "back left") +
+         R"([[seam]]
 name = "side right"
 a = "front right.side"
 b = "back right.side"
@@ -58,6 +35,23 @@ name = "centre back"
 a = "back left.crotch + back left.rise"
 b = "back right.rise + back right.crotch"
 )";
+}
+
+/// A tenth narrower than the legs.
+inline const std::string test_leggings = legs_pattern(R"(  { name = "hem",    from = [3, 16] },
+  { name = "inseam", kind = "cubic", from = [15, 16], control = [[17, 40], [19, 60]] },
+  { name = "crotch", kind = "cubic", from = [23, 74], control = [[19.5, 74.5], [19, 78]] },
+  { name = "rise",   from = [18.5, 82] },
+  { name = "waist",  from = [18, 104] },
+  { name = "side",   kind = "cubic", from = [0, 104], control = [[0, 80], [0, 50]] },
+)",
+                                                      R"(  { name = "hem",    from = [3, 16] },
+  { name = "inseam", kind = "cubic", from = [15, 16], control = [[17, 40], [19, 60]] },
+  { name = "crotch", kind = "cubic", from = [25, 74], control = [[20.5, 74.5], [20, 78]] },
+  { name = "rise",   from = [19.5, 82] },
+  { name = "waist",  from = [18, 106] },
+  { name = "side",   kind = "cubic", from = [0, 104], control = [[0, 80], [0, 50]] },
+)");
 
 /// Front and back, each whole; a tenth narrower than the chest.
 inline const std::string test_vest = R"(unit = "1 cm"
