@@ -84,15 +84,20 @@ std::vector<SectionLoop> slice(const std::vector<Eigen::Vector3d>& vertices,
   return loops;
 }
 
+namespace {
+constexpr double round_off = 1e-9;  // of the angle between two rays
+}
+
 Eigen::VectorXd ray_radii(const SectionLoop& loop, const Eigen::Vector2d& from, int count) {
   const double step = 2.0 * std::numbers::pi / count;
   Eigen::VectorXd radii = Eigen::VectorXd::Constant(count, -1.0);
   for (std::size_t n = 0; n < loop.points.size(); ++n) {
     const Eigen::Vector2d a = loop.points[n] - from, b = loop.points[(n + 1) % loop.points.size()] - from;
-    // The rays between the directions of a and b, whichever way the edge runs.
+    // The rays between the directions of a and b, whichever way the edge runs; one through a corner belongs to both of its edges, and by
+    // round-off alone to neither.
     const double begin = std::atan2(a.y(), a.x()), sweep = std::atan2(cross(a, b), a.dot(b));
-    const int first = static_cast<int>(std::ceil((begin + std::min(sweep, 0.0)) / step));
-    const int last = static_cast<int>(std::floor((begin + std::max(sweep, 0.0)) / step));
+    const int first = static_cast<int>(std::ceil((begin + std::min(sweep, 0.0)) / step - round_off));
+    const int last = static_cast<int>(std::floor((begin + std::max(sweep, 0.0)) / step + round_off));
     for (int ray = first; ray <= last; ++ray) {
       const Eigen::Vector2d direction(std::cos(ray * step), std::sin(ray * step));
       const double side_a = cross(direction, a), side_b = cross(direction, b);

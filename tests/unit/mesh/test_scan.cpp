@@ -198,6 +198,22 @@ TEST(Scan, LegsThatMergeBetweenThePlanesAreRefusedWithTheHeight) {
   expect_error(file.spec(), "joins another part of the body at height");
 }
 
+TEST(Sections, RaysThroughTheCornersOfASectionMeetIt) {
+  constexpr int rays = 1024;
+  for (const int corners : {8, 64, 256})
+    for (int place = 0; place < 50; ++place) {
+      const Eigen::Vector2d from(0.013 * place, -0.007 * place);
+      SectionLoop loop;
+      for (int n = 0; n < corners; ++n) {
+        const double angle = 2.0 * pi * n / corners;
+        loop.points.push_back(from + 0.05 * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+      }
+      const Eigen::VectorXd radii = ray_radii(loop, from, rays);
+      EXPECT_NEAR(radii.minCoeff(), 0.05 * std::cos(pi / corners), 1e-12) << corners << " corners round " << from.transpose();
+      EXPECT_NEAR(radii[rays / 8], 0.05, 1e-12);
+    }
+}
+
 TEST(FourierOutline, DerivativesAgreeWithDifferences) {
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(9, 6);
   values.row(2).setConstant(0.05);
