@@ -1,21 +1,12 @@
 #include "mesh/body/branching_body.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "mesh/body/layering.hpp"
-#include "mesh/body/locations.hpp"
-#include "mesh/body/quadratic_cells.hpp"
-#include "mesh/body/scan.hpp"
+#include "mesh/body/filled_surfaces.hpp"
 #include "mesh/body/scan_measures.hpp"
-#include "mesh/body/scan_surface.hpp"
-#include "mesh/surface/level_surface.hpp"
-#include "mesh/surface/mending.hpp"
+#include "mesh/body/scanned_surfaces.hpp"
 
 namespace snug::mesh {
 
@@ -23,410 +14,26 @@ namespace {
 
 using input::InputError;
 
-constexpr double cells_round_narrowest = 32.0, core_over_skin = 1.5;
-constexpr double fewest_cells_round = 12.0;  // of an inner surface: its curved edges then keep its volume to some thousandths
-constexpr double grid_over_size = 0.3;  // of the grid that inner surfaces are found on
-
-Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
-
-/// Of a tube of the same volume and area: 2 pi r with r = 2 V/A. A core that runs out at a cut may have rims of no size.
-double mean_girth(const TriangleSurface& surface) {
-  double area = 0.0;
-  for (const auto& t : surface.triangles) {
-    const auto& x = surface.vertices;
-    area += 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
-  }
-  return 4.0 * std::numbers::pi * std::abs(enclosed_volume(closed_flat(surface))) / area;
+/// The layers and a rigid core fill what skin and cuts enclose, once.
+void check_filled(const ScannedBody& body, bool rigid_core, const input::Location& where) {
+  constexpr double tolerance = 0.01;
+  double cells = rigid_core ? volume_inside(body.mesh, "bone") : 0.0;
+  for (const QualityRow& row : quality(body.mesh)) cells += row.volume;
+  if (std::abs(cells - body.report.volume) <= tolerance * body.report.volume) return;
+  throw NotMeshed(where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * body.report.volume),
+                  "take another cell_size: gmsh has filled a layer wrongly");
 }
 
-/// What other cells may do better.
-class NotMeshed : public InputError {
- public:
-  using InputError::InputError;
-};
-
-class Maker {
- public:
-  explicit Maker(const input::BodySpec& spec) : spec_(spec), scan_(*spec.scan), layering_(spec) {}
-
-  /// m, at the skin; 0 before it is known.
-  double cell_size() const { return size_; }
-
-  ScannedBody make() {
-    ScanSurface read = read_scan_surface(scan_, spec_.where);
-    report().said = read.said;
-    to_body_ = read.to_body, unit_ = read.unit;
-    find_cuts();
-    mended_ = mend(read.surface, {.hole = scan_.fill_holes});
-    say_mendings(mended_.mendings);
-    if (scan_.wrap > 0.0) wrap_surface(scan_.wrap);
-    make_skin();
-    make_inner();
-    make_caps();
-    fill();
-    measure();
-    return std::move(body_);
-  }
-
- private:
-  ScanReport& report() { return body_.report; }
-  BodyMesh& mesh() { return body_.mesh; }
-
-  void say_mendings(const std::vector<Mending>& mendings) {
-    for (const Mending& one : mendings)
-      report().said.push_back(one.at.isZero(0.0) ? "mended: " + one.what
-                                                 : fmt::format("mended: {}, the first at ({:.0f}, {:.0f}, {:.0f}) mm", one.what, 1e3 * one.at.x(), 1e3 * one.at.y(), 1e3 * one.at.z()));
-  }
-
-  void find_cuts() {
-    const auto add = [&](const std::string& name, const std::array<double, 3>& point, const std::array<double, 3>& normal, const input::Location& where) {
-      cuts_.push_back({name, to_body_ * vector(point), (to_body_ * vector(normal)).normalized(), where});
-    };
-    for (const input::NamedCut& cut : scan_.cuts) add(cut.name, cut.point, cut.normal, cut.where);
-    if (scan_.cuts.empty() && scan_.lower && scan_.upper) {
-      add("lower", scan_.lower->point, scan_.lower->normal, spec_.where);
-      add("upper", scan_.upper->point, scan_.upper->normal, spec_.where);
-    }
-  }
-
-  void wrap_surface(double alpha) {
-    std::vector<Mending> before = std::move(mended_.mendings);
-    const std::vector<WideHole> holes = mended_.wide_holes;
-    mended_ = wrap(mended_.surface, alpha, 0.08 * alpha);
-    mended_.wide_holes = holes;
-    say_mendings(mended_.mendings);
-  }
-
-  using Sections = std::vector<std::vector<Eigen::Vector2d>>;
-
-  /// The section at the cut's point. Where the point lies outside of all of them the nearest is meant, if that is near and no other nearly as near.
-  std::vector<std::size_t> section_of(const Cut& cut, const Sections& sections) {
-    constexpr double beside = 0.5, farthest = 2.0;  // of the radius of a circle as large as the section
-    const auto distance = [](const auto& section) { return inside_polygon(Eigen::Vector2d::Zero(), section) ? 0.0 : distance_to_polygon(Eigen::Vector2d::Zero(), section); };
-    const std::vector<std::size_t> found = section_at_origin(sections);
-    if (found.empty()) return found;
-    const double off = distance(sections[found.front()]), radius = std::sqrt(std::abs(polygon_area(sections[found.front()])) / std::numbers::pi);
-    if (off <= beside * radius) return found;
-    const auto nearly = std::count_if(sections.begin(), sections.end(), [&](const auto& section) { return distance(section) < 2.0 * off; });
-    const std::string outside = fmt::format("the point of the cut \"{}\" lies {:.0f} mm outside the surface", cut.name, 1e3 * off);
-    if (off > farthest * radius || nearly > 1) throw InputError(cut.where, outside, "give a point inside the limb that is cut, in the file's axes");
-    if (surfaces_.empty()) report().said.push_back(outside + "; the limb next to it is cut");
-    return found;
-  }
-
-  /// What the cuts leave of the whole surface.
-  TriangleSurface cut_surface() {
-    TriangleSurface kept = mended_.surface;
-    for (const Cut& cut : cuts_)
-      if (cut_off(kept, cut, [&](const Sections& sections) { return section_of(cut, sections); }).empty())
-        throw InputError(cut.where, fmt::format("the cut \"{}\" misses the surface", cut.name), "check its point (in the file's frame), the scan's unit and its up axis");
-    return compacted(kept);
-  }
-
-  void refuse_wide_holes(const TriangleSurface& kept) const {
-    for (const WideHole& hole : mended_.wide_holes)
-      if (std::any_of(kept.vertices.begin(), kept.vertices.end(), [&](const auto& x) { return x == hole.rim; }))
-        throw InputError({scan_.surface.string()},
-                         fmt::format("the surface has a hole {:.0f} mm wide at ({:.0f}, {:.0f}, {:.0f}) mm in the frame of the body", 1e3 * hole.width, 1e3 * hole.rim.x(), 1e3 * hole.rim.y(),
-                                     1e3 * hole.rim.z()),
-                         "close it in the scanner's program, let a cut drop it, or fill it flat: fill_holes");
-  }
-
-  double narrowest_girth(const TriangleSurface& kept) const {
-    double narrowest = 1e300;
-    for (const Rim& rim : border_loops(kept)) narrowest = std::min(narrowest, length_of(kept, rim));
-    return narrowest;
-  }
-
-  void make_skin() {
-    TriangleSurface kept = cut_surface();
-    refuse_wide_holes(kept);
-    if (border_loops(kept).empty()) throw InputError(spec_.where, "nothing of the scan lies between the cuts", "turn the normals of the cuts: they point out of what is kept");
-    size_ = scan_.cell_size > 0.0 ? scan_.cell_size : narrowest_girth(kept) / cells_round_narrowest;
-    radius_ = scan_.smoothing_radius > 0.0 ? scan_.smoothing_radius : size_;
-    const auto make = [&] {
-      surfaces_.clear();
-      surfaces_.push_back(nested_surface("skin", mended_.surface, kept, cuts_, size_, {.radius = radius_}, spec_.where));
-    };
-    try {
-      make();
-    } catch (const std::runtime_error& error) {
-      if (dynamic_cast<const InputError*>(&error)) throw;
-      throw InputError({scan_.surface.string()}, fmt::format("the surface cannot be meshed: {}", error.what()), "mend it in the scanner's program, or write wrap = \"10 mm\"");
-    }
-    if (surfaces_[0].cuts_itself && !(scan_.wrap > 0.0)) {
-      report().said.push_back("the surface cuts itself between the cuts");
-      wrap_surface(0.8 * size_);
-      kept = cut_surface();
-      make();
-    }
-    if (surfaces_[0].cuts_itself)
-      throw NotMeshed({scan_.surface.string()}, "the surface still cuts itself where it was remeshed", "take a smaller cell_size, or write wrap = \"10 mm\"");
-    kept_ = closed_flat(kept);
-    report().cell_size = size_, report().smoothing_radius = radius_;
-    report().skin_triangles = static_cast<int>(surfaces_[0].mesh.triangles.size()), report().skin_on_facets = surfaces_[0].on_facets;
-    report().volume_of_scan = enclosed_volume(kept_);
-    measure_deviation(*surfaces_[0].smooth, kept, report());
-  }
-
-  /// Where level functions are looked at: what is kept, and as far beyond the cuts as inner surfaces have to reach.
-  Box box() const {
-    Box box{kept_.vertices.front(), kept_.vertices.front()};
-    for (const auto& x : kept_.vertices) box.low = box.low.cwiseMin(x), box.high = box.high.cwiseMax(x);
-    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(4.0 * size_);
-    return {box.low - margin, box.high + margin};
-  }
-
-  double tissue_at(const Eigen::Vector3d& x) const {
-    double more = 0.0, weights = 0.0;
-    for (const input::CorePlace& place : scan_.core->places) {
-      const double weight = std::exp(-(x - to_body_ * vector(place.at)).squaredNorm() / (place.radius * place.radius));
-      more += weight * (place.thickness - *scan_.core->thickness), weights += weight;
-    }
-    return *scan_.core->thickness + more / std::max(1.0, weights);
-  }
-
-  /// The core as a closed surface that reaches beyond the cuts.
-  TriangleSurface core_surface() {
-    if (!scan_.core) return bone_of_limb();
-    if (!scan_.core->surface.empty()) {
-      TriangleSurface core = read_surface(scan_.core->surface);
-      for (auto& x : core.vertices) x = to_body_ * (unit_ * x);
-      MendedSurface mended = mend(core);
-      for (Mending& one : mended.mendings) one.what = "core: " + one.what;
-      say_mendings(mended.mendings);
-      return std::move(mended.surface);
-    }
-    const SurfaceTree& skin = surfaces_[0].smooth->tree();
-    return level_surface([&](const Eigen::Vector3d& x) { return -skin.signed_distance(x) - tissue_at(x); }, box(), grid_over_size * size_);
-  }
-
-  /// The ellipse along the limb's middle, as the hexahedra have it, a little beyond the cuts.
-  TriangleSurface bone_of_limb() {
-    const Limb limb = limb_from_scan(with_lower_and_upper(spec_));
-    constexpr int around = 96, along = 80;
-    const double margin = 4.0 * size_;
-    TriangleSurface tube;
-    for (int j = 0; j <= along; ++j)
-      for (int i = 0; i < around; ++i) {
-        const double z = limb.lower - margin + j * (limb.upper - limb.lower + 2.0 * margin) / along, inside = std::clamp(z, limb.lower, limb.upper);
-        Eigen::Vector3d x = limb.bone->at(static_cast<double>(i) / around, inside);
-        x.z() = z;
-        tube.vertices.push_back(x);
-      }
-    const auto node = [&](int i, int j) { return j * around + i % around; };
-    for (int j = 0; j < along; ++j)
-      for (int i = 0; i < around; ++i) {
-        tube.triangles.push_back({node(i, j), node(i + 1, j), node(i + 1, j + 1)});
-        tube.triangles.push_back({node(i, j), node(i + 1, j + 1), node(i, j + 1)});
-      }
-    return closed_flat(std::move(tube));
-  }
-
-  void refuse_empty(const TriangleSurface& surface, const std::string& name) const {
-    if (surface.triangles.empty()) throw InputError(spec_.where, fmt::format("nothing of the body is so deep that there could be a surface \"{}\"", name), "make the tissue thinner");
-  }
-
-  void add_inner(const std::string& name, TriangleSurface whole, double size, const SurfaceTree& inside, double at_corners = exact_corners) {
-    refuse_empty(whole, name);
-    const double asked = size;
-    const auto make = [&](double corners) {
-      const TriangleSurface kept = kept_inside(whole, cuts_, surfaces_[0], inside);
-      if (kept.triangles.empty()) throw InputError(spec_.where, fmt::format("no part of \"{}\" lies between the cuts", name), "check unit and place of the core, or make the tissue thinner");
-      size = std::min(asked, mean_girth(kept) / fewest_cells_round);
-      return nested_surface(name, whole, kept, cuts_, size, {std::min(radius_, 0.5 * size), corners}, spec_.where);
-    };
-    NestedSurface surface = make(at_corners);
-    if (surface.cuts_itself) {  // where a layer ends as thin as an edge
-      MendedSurface wrapped = wrap(whole, 0.8 * size, 0.08 * size);
-      for (Mending& one : wrapped.mendings) one.what = name + ": " + one.what;
-      say_mendings(wrapped.mendings);
-      whole = std::move(wrapped.surface);
-      surface = make(scanned_corners);
-    }
-    if (surface.cuts_itself) throw NotMeshed(spec_.where, fmt::format("the surface \"{}\" cuts itself", name), "take a smaller cell_size, or another thickness");
-    surfaces_.push_back(std::move(surface));
-  }
-
-  /// From the outside: layers with a thickness under the skin, those over the core, the core.
-  void make_inner() {
-    const SurfaceTree inside(kept_), &skin = surfaces_[0].smooth->tree();
-    const auto& solids = layering_.solids();
-    std::size_t rest = 0;
-    while (rest < solids.size() && solids[rest].thickness) ++rest;
-    TriangleSurface core = core_surface();
-    refuse_empty(core, "bone");
-    double depth = 0.0;
-    for (std::size_t n = solids.size() - 1; n > rest; --n) {
-      depth += *solids[n].thickness;
-      add_inner(solids[n - 1].name + " to " + solids[n].name,
-                level_surface([&](const Eigen::Vector3d& x) { return -skin.signed_distance(x) - depth; }, box(), grid_over_size * size_), size_, inside);
-    }
-    const SurfaceTree bone(core);
-    for (std::size_t n = rest; n > 0; --n) {
-      double over = 0.0;
-      for (std::size_t m = 0; m < n; ++m) over += *solids[m].thickness;
-      add_inner(solids[n - 1].name + " to " + solids[n].name,
-                level_surface([&](const Eigen::Vector3d& x) { return over - bone.signed_distance(x); }, box(), grid_over_size * size_), size_, inside);
-    }
-    const double core_size = scan_.core && scan_.core->cell_size ? *scan_.core->cell_size : core_over_skin * size_;
-    add_inner("bone", std::move(core), core_size, inside, scan_.core && !scan_.core->surface.empty() ? scanned_corners : exact_corners);
-  }
-
-  /// Triangles of the cut faces between each surface and the next one inside.
-  void make_caps() {
-    for (const NestedSurface& surface : surfaces_) {
-      first_.push_back(static_cast<int>(complex_.nodes.size()));
-      complex_.nodes.insert(complex_.nodes.end(), surface.mesh.vertices.begin(), surface.mesh.vertices.end());
-    }
-    const std::size_t regions = layering_.bone() ? surfaces_.size() : surfaces_.size() - 1;
-    caps_.assign(cuts_.size(), std::vector<std::vector<std::array<int, 3>>>(regions));
-    for (std::size_t c = 0; c < cuts_.size(); ++c)
-      for (std::size_t s = 0; s < regions; ++s)
-        for (const Rim& rim : surfaces_[s].rims[c]) fill_cap(c, s, rim);
-  }
-
-  void fill_cap(std::size_t c, std::size_t s, const Rim& rim) {
-    const PlaneFrame frame(cuts_[c]);
-    const auto outer = flat_rim(surfaces_[s], rim, frame);
-    std::vector<int> number;
-    for (const int v : rim) number.push_back(first_[s] + v);
-    std::vector<std::vector<Eigen::Vector2d>> holes;
-    if (s + 1 < surfaces_.size())
-      for (const Rim& inner : surfaces_[s + 1].rims[c]) {
-        auto hole = flat_rim(surfaces_[s + 1], inner, frame);
-        const auto in = std::count_if(hole.begin(), hole.end(), [&](const auto& p) { return inside_polygon(p, outer); });
-        if (in == 0) continue;
-        if (in < static_cast<long>(hole.size()))
-          throw NotMeshed(cuts_[c].where, fmt::format("\"{}\" and \"{}\" meet at the cut \"{}\"", surfaces_[s].name, surfaces_[s + 1].name, cuts_[c].name), "make the layers or the core thinner there");
-        for (const int v : inner) number.push_back(first_[s + 1] + v);
-        holes.push_back(std::move(hole));
-      }
-    const PlaneMesh plane = by_gmsh(cuts_[c].where, fmt::format("the face of the cut \"{}\"", cuts_[c].name), [&] { return filled(outer, holes); });
-    while (number.size() < plane.nodes.size()) {
-      complex_.nodes.push_back(frame.lifted(plane.nodes[number.size()]));
-      number.push_back(static_cast<int>(complex_.nodes.size()) - 1);
-    }
-    for (const auto& t : plane.triangles) caps_[c][s].push_back({number[t[0]], number[t[1]], number[t[2]]});
-  }
-
-  template <class Work>
-  auto by_gmsh(const input::Location& where, const std::string& what, Work work) -> decltype(work()) {
-    try {
-      return work();
-    } catch (const std::runtime_error& error) {
-      throw NotMeshed(where, fmt::format("{} cannot be meshed: gmsh: {}", what, error.what()), "take another cell_size, thinner layers or a smaller core: surfaces meet, perhaps");
-    }
-  }
-
-  int add_patch(const std::string& name, std::vector<std::array<int, 3>> triangles, int first) {
-    for (auto& t : triangles)
-      for (int& v : t) v += first;
-    complex_.patches.push_back({name, std::move(triangles)});
-    return static_cast<int>(complex_.patches.size()) - 1;
-  }
-
-  void fill() {
-    std::vector<int> patch;
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) patch.push_back(add_patch(surfaces_[s].name, surfaces_[s].mesh.triangles, first_[s]));
-    const std::size_t regions = caps_.empty() ? 0 : caps_.front().size();
-    for (std::size_t s = 0; s < regions; ++s) {
-      PatchComplex::Region region{surfaces_[s].name, {patch[s]}};
-      if (s + 1 < surfaces_.size()) region.patches.push_back(patch[s + 1]);
-      for (std::size_t c = 0; c < cuts_.size(); ++c)
-        if (!caps_[c][s].empty()) region.patches.push_back(add_patch(cuts_[c].name, caps_[c][s], 0));
-      complex_.regions.push_back(std::move(region));
-    }
-    const Tetrahedra linear = by_gmsh(spec_.where, "the body", [&] { return filled(complex_); });
-    if (linear.cells.empty()) throw NotMeshed(spec_.where, "gmsh filled the body with no cells", "take another cell_size");
-    std::vector<std::vector<std::array<int, 3>>> faces(cuts_.size());
-    for (std::size_t c = 0; c < cuts_.size(); ++c)
-      for (const auto& part : caps_[c]) faces[c].insert(faces[c].end(), part.begin(), part.end());
-    take_over(linear, quadratic(linear, surfaces_, first_, faces, cuts_));
-  }
-
-  /// Layers from the inside out; region s lies outside of surface s + 1.
-  void take_over(const Tetrahedra& linear, QuadraticCells cells) {
-    mesh().kind = CellKind::tet10;
-    if (const auto* bone = layering_.bone()) mesh().layers.push_back({bone->name, bone->material});
-    for (const auto& layer : layering_.solids()) mesh().layers.push_back({layer.name, layer.material});
-    for (const auto& layer : layering_.membranes()) mesh().membranes.push_back({layer.name, layer.material, *layer.thickness});
-    const std::vector<int> number = numbers_in_use(cells);
-    mesh().cells = std::move(cells.cells);
-    for (CellNodes& cell : mesh().cells)
-      for (int a = 0; a < 10; ++a) cell[a] = number[cell[a]];
-    for (const int region : linear.region) mesh().cell_layer.push_back(static_cast<int>(mesh().layers.size()) - 1 - region);
-    if (cells.straightened > 0) report().said.push_back(fmt::format("{} edges were left less curved than the surface, so that no cell turns inside out", cells.straightened));
-    check_cells();
-    for (std::size_t s = 0; s < surfaces_.size(); ++s) add_surface(surfaces_[s].name, cells.on_surface[s], number);
-    for (std::size_t c = 0; c < cuts_.size(); ++c) add_surface(cuts_[c].name, cells.on_cut[c], number);
-    if (!layering_.bone()) mesh().bone_nodes = mesh().surface("bone")->nodes;
-    mesh().skin_facets = mesh().surface("skin")->facets;
-    mesh().mean_skin_cell = mean_edge(mesh(), mesh().skin_facets);
-    assign_locations(spec_.locations, mesh());
-  }
-
-  /// New numbers of the nodes that cells use.
-  std::vector<int> numbers_in_use(const QuadraticCells& cells) {
-    std::vector<int> number(cells.nodes.size(), -1);
-    for (const CellNodes& cell : cells.cells)
-      for (int a = 0; a < 10; ++a) number[cell[a]] = 0;
-    for (std::size_t n = 0; n < number.size(); ++n)
-      if (number[n] == 0) number[n] = static_cast<int>(mesh().nodes.size()), mesh().nodes.push_back(cells.nodes[n]);
-    return number;
-  }
-
-  void add_surface(const std::string& name, const std::vector<int>& nodes, const std::vector<int>& number) {
-    Surface surface{name, {}, {}};
-    std::vector<char> keep(mesh().nodes.size(), 0);
-    for (const int n : nodes)
-      if (number[n] >= 0) surface.nodes.push_back(number[n]), keep[number[n]] = 1;
-    surface.facets = boundary_facets(mesh(), keep);
-    mesh().surfaces.push_back(std::move(surface));
-  }
-
-  void check_cells() {
-    for (const CellNodes& cell : mesh().cells) {
-      const CellPositions x = cell_positions(mesh().kind, cell, mesh().nodes);
-      for (const SamplePoint& sample : check_points(mesh().kind)) {
-        if (jacobian(x, sample).determinant() > 0.0) continue;
-        const Eigen::Vector3d at = 1e3 * x.rowwise().mean();
-        throw NotMeshed(spec_.where, fmt::format("a cell near ({:.0f}, {:.0f}, {:.0f}) mm would turn inside out", at.x(), at.y(), at.z()), "take a smaller cell_size or thicker layers there");
-      }
-    }
-  }
-
-  void measure() {
-    measure_sections(mesh(), kept_, report());
-    for (const Cut& cut : cuts_) report().cuts.push_back(cut_row(mesh(), kept_, cut));
-    report().volume = volume_between(mesh());
-    check_filled();
-  }
-
-  /// The layers and a rigid core fill what skin and cuts enclose, once.
-  void check_filled() {
-    constexpr double tolerance = 0.01;
-    double cells = layering_.bone() ? 0.0 : volume_inside(mesh(), "bone");
-    for (const QualityRow& row : quality(mesh())) cells += row.volume;
-    if (std::abs(cells - report().volume) <= tolerance * report().volume) return;
-    throw NotMeshed(spec_.where, fmt::format("the cells and the core have {:.0f} ml, skin and cuts enclose {:.0f} ml", 1e6 * cells, 1e6 * report().volume),
-                     "take another cell_size: gmsh has filled a layer wrongly");
-  }
-
-  const input::BodySpec& spec_;
-  const input::ScanSpec& scan_;
-  Layering layering_;
-  ScannedBody body_;
-  Eigen::Matrix3d to_body_;
-  double unit_ = 1.0, size_ = 0.0, radius_ = 0.0;
-  std::vector<Cut> cuts_;
-  MendedSurface mended_;
-  TriangleSurface kept_;  // closed by flat faces at the cuts
-  std::vector<NestedSurface> surfaces_;
-  PatchComplex complex_;
-  std::vector<int> first_;
-  std::vector<std::vector<std::vector<std::array<int, 3>>>> caps_;  // by cut and region
-};
+/// The report is there as far as it got where this throws.
+void make(const input::BodySpec& spec, ScannedBody& body) {
+  const Layering layering(spec);
+  const ScannedSurfaces surfaces = scanned_surfaces(spec, layering, body.report);
+  body.mesh = filled_body(spec, layering, surfaces, body.report);
+  measure_sections(body.mesh, surfaces.kept, body.report);
+  for (const Cut& cut : surfaces.cuts) body.report.cuts.push_back(cut_row(body.mesh, surfaces.kept, cut));
+  body.report.volume = volume_between(body.mesh);
+  check_filled(body, !layering.bone(), spec.where);
+}
 
 }  // namespace
 
@@ -437,15 +44,16 @@ ScannedBody body_from_scan(const input::BodySpec& spec) {
   input::BodySpec tried = spec;
   std::vector<std::string> in_vain;
   for (int attempt = 0;; ++attempt) {
-    Maker maker(tried);
+    ScannedBody body;
     try {
-      ScannedBody body = maker.make();
+      make(tried, body);
       body.report.said.insert(body.report.said.end(), in_vain.begin(), in_vain.end());
       return body;
     } catch (const NotMeshed& fault) {
-      if (attempt == smaller || !(maker.cell_size() > 0.0)) throw;
-      in_vain.push_back(fmt::format("cells of {:.1f} mm did not do: {}", 1e3 * maker.cell_size(), fault.errors().front().found));
-      tried.scan->cell_size = shrink * maker.cell_size();
+      const double size = body.report.cell_size;
+      if (attempt == smaller || !(size > 0.0)) throw;
+      in_vain.push_back(fmt::format("cells of {:.1f} mm did not do: {}", 1e3 * size, fault.errors().front().found));
+      tried.scan->cell_size = shrink * size;
     }
   }
 }
