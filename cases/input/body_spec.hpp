@@ -249,6 +249,7 @@ struct BodySpec {
   std::filesystem::path mesh;      ///< gmsh file
   double unit = 1.0;               ///< metres per unit of that file
   double force_unit = 1.0;         ///< N per unit of force of that file
+  std::optional<int> load_step;    ///< of that file, from 1; the last where it is left out
   std::optional<ScanSpec> scan;
   std::vector<LayerSpec> layers;
   std::vector<LocationSpec> locations;
@@ -264,14 +265,14 @@ struct BodySpec {
                 .meaning = "stations: girths along an axis; scan: a surface and two cut planes; imported: a mesh of cells"},
           self.kind);
     field(Field{.key = "stations",
-                .meaning = "CSV file of the girths: height, girth, width_to_depth, centre_x, centre_y, "
+                .meaning = "CSV file (or the first sheet of an .xlsx one) of the girths: height, girth, width_to_depth, centre_x, centre_y, "
                            "bone_girth, bone_width_to_depth, bone_x, bone_y"},
           self.stations);
     field(Field{.key = "mesh",
                 .meaning = "gmsh file (.msh) with hexahedra or tetrahedra, or a geometry (.geo) for gmsh to mesh; its physical "
                            "volumes are the layers by their names, its physical surfaces, curves and points the named surfaces "
-                           "(\"skin\" is where a garment touches). Or APDL text or CDB (.cdb, .mac, .txt) or CalculiX input "
-                           "(.inp) with its materials, forces, supports and pressures; node sets are the named surfaces"},
+                           "(\"skin\" is where a garment touches). Or APDL text or CDB (.cdb, .mac, .txt), CalculiX or Abaqus input "
+                           "(.inp) or a FEBio model (.feb) with its materials, forces, supports and pressures; node sets are the named surfaces"},
           self.mesh);
     field(Field{.key = "unit",
                 .unit = "m",
@@ -283,6 +284,10 @@ struct BodySpec {
                 .meaning = "force of one unit of an APDL or CalculiX file, e.g. \"1 mN\"; its stresses are force_unit/unit^2",
                 .bound = positive()},
           self.force_unit);
+    field(Field{.key = "load_step",
+                .meaning = "of a model file with several load steps the one whose end is taken, counted from 1; left out: the last",
+                .bound = between(1, 1e6)},
+          self.load_step);
     field(Field{.key = "scan", .meaning = "surface, cut planes and bone of a scan"}, self.scan);
     field(Field{.key = "layers",
                 .meaning = "the layers from the inside out; of an APDL or CalculiX file: other materials for those it names"},

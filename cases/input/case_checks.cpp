@@ -132,8 +132,11 @@ void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagn
     if (layer.form == LayerForm::solid && layer.thickness)
       diagnostics.error(layer.where, fmt::format("layer \"{}\" of an imported mesh has a thickness", layer.name),
                         "leave it out: the mesh says where the layer is");
-  if (const std::string ending = body.mesh.extension().string(); ending == ".msh" && table.find("force_unit"))
+  const std::string ending = body.mesh.extension().string();
+  if (ending == ".msh" && table.find("force_unit"))
     diagnostics.error(table.where_is("force_unit"), "force_unit does not apply to a gmsh file", "leave it out: the file has no forces");
+  if ((ending == ".msh" || ending == ".geo") && table.find("load_step"))
+    diagnostics.error(table.where_is("load_step"), "load_step does not apply to a gmsh file", "leave it out: the file has no load steps");
   for (const char* key : {"cells_around", "cells_along", "ends"})
     if (table.find(key))
       diagnostics.error(table.where_is(key), fmt::format("{} does not apply to an imported mesh", key),

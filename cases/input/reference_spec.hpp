@@ -26,7 +26,7 @@ struct DisplacementReference {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "file", .meaning = "listing (PRNSOL) or VTU with the displacements", .required = true},
+    field(Field{.key = "file", .meaning = "listing (PRNSOL, .dat and .frd of CalculiX, FEBio's log) or VTU with the displacements", .required = true},
           self.file);
     field(Field{.key = "relative",
                 .meaning = "what a node may differ by, over the largest displacement of the table",
@@ -67,6 +67,7 @@ struct ReferenceSpec {
   std::optional<StressReference> stress;
   std::optional<std::filesystem::path> nodes;
   NodeMatch match = NodeMatch::automatic;
+  std::optional<int> load_step;  ///< of the listings; the last where it is left out
   double length_unit = 1.0;  ///< m
   double stress_unit = 1.0;  ///< Pa
 
@@ -79,6 +80,10 @@ struct ReferenceSpec {
                 .meaning = "how nodes find each other; automatic: by number where the places agree or are not known, "
                            "else by coordinates"},
           self.match);
+    field(Field{.key = "load_step",
+                .meaning = "of listings with several load steps (or times) the one that is taken; left out: the last",
+                .bound = between(1, 1e6)},
+          self.load_step);
     field(Field{.key = "length_unit",
                 .unit = "m",
                 .meaning = "unit of coordinates and displacements in the listings, e.g. \"1 mm\"",

@@ -33,13 +33,19 @@ struct Surface {
 };
 
 /// What the file of an imported body says of single nodes and facets: forces (N), held components with their
-/// displacement (m), pressures (Pa) against the outward normal that follow the surface.
+/// displacement (m), nodes that keep their place along a direction (a unit vector) but for a displacement (m), pressures (Pa)
+/// against the outward normal that follow the surface.
 struct NodalForce {
   int node = 0;
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
 };
 struct HeldComponent {
   int node = 0, component = 0;
+  double displacement = 0.0;
+};
+struct HeldAlong {
+  int node = 0;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
   double displacement = 0.0;
 };
 struct FacetPressure {
@@ -79,6 +85,7 @@ struct BodyMesh {
   std::vector<int> node_numbers;              ///< those of the file of an imported body; empty: node n has number n + 1
   std::vector<NodalForce> forces;             ///< of the file
   std::vector<HeldComponent> held;            ///< of the file
+  std::vector<HeldAlong> held_along;          ///< of the file, where the direction is none of x, y, z
   std::vector<FacetPressure> pressures;       ///< of the file
   std::vector<input::Diagnostic> remarks;     ///< what the file asks for and is done otherwise here
 

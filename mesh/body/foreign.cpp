@@ -317,6 +317,6 @@ BodyMesh body_of(const Model& model, const input::BodySpec& spec) {
   return shell ? shell_body_of(model, spec) : Conversion(model, spec)();
 }
 
-BodyMesh import_model(const input::BodySpec& spec, const std::filesystem::path& root) { return body_of(read_model(spec.mesh, root), spec); }
+BodyMesh import_model(const input::BodySpec& spec, const std::filesystem::path& root) { return body_of(read_model(spec.mesh, root, spec.load_step.value_or(0)), spec); }
 
 }  // namespace snug::mesh

@@ -18,12 +18,15 @@ using input::InputError;
 std::string law_table(const ModelMaterial& material, double stress, double density) {
   const std::vector<double>& c = material.constants;
   const auto pascal = [&](double value) { return fmt::format("\"{:.17g} Pa\"", stress * value); };
-  const std::string volume = c.empty() ? "" : fmt::format("bulk_modulus = {}, volumetric = \"quadratic\"", pascal(c.back()));
+  const std::string volume = c.empty() ? "" : fmt::format("bulk_modulus = {}, volumetric = \"{}\"", pascal(c.back()), material.volume == ModelVolume::quadratic ? "quadratic" : "logarithmic");
   std::string law;
   switch (material.law) {
     case ModelLaw::none: break;
     case ModelLaw::elastic:
       law = fmt::format("law = \"linear-elastic\", youngs_modulus = {}, poisson_ratio = {:.17g}", pascal(c[0]), c[1]);
+      break;
+    case ModelLaw::compressible_neo_hooke:
+      law = fmt::format("law = \"compressible-neo-Hooke\", shear_modulus = {}, poisson_ratio = {:.17g}", pascal(0.5 * c[0] / (1.0 + c[1])), c[1]);
       break;
     case ModelLaw::neo_hooke:
       law = fmt::format("law = \"neo-Hooke\", shear_modulus = {}, {}", pascal(c[0]), volume);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace snug::mesh {
 
@@ -81,9 +83,58 @@ std::map<int, double> ForeignNodes::held(int component) const {
   return held;
 }
 
+namespace {
+
+/// The line of a node that points most like a direction, the other way round where that is nearer; null where none is within 60 degrees.
+std::optional<HeldAlong> like(const std::vector<HeldAlong>& lines, const Eigen::Vector3d& direction) {
+  std::optional<HeldAlong> best;
+  double nearest = 0.5;
+  for (const HeldAlong& line : lines)
+    if (const double cosine = line.direction.dot(direction); std::abs(cosine) > nearest) {
+      nearest = std::abs(cosine);
+      best = HeldAlong{line.node, cosine > 0.0 ? line.direction : Eigen::Vector3d(-line.direction), cosine > 0.0 ? line.displacement : -line.displacement};
+    }
+  return best;
+}
+
+/// Whether a direction is that of a coordinate axis, of which components tell.
+bool is_axis(const Eigen::Vector3d& direction) { return direction.cwiseAbs().maxCoeff() > 1.0 - 1e-12; }
+
+}  // namespace
+
+/// A node that was added is held along the mean of the lines along which all of its parents are.
+void ForeignNodes::add_oblique_supports() {
+  if (model_.oblique_supports.empty()) return;
+  std::map<int, std::vector<HeldAlong>> lines;
+  for (const HeldComponent& held : mesh_.held) lines[held.node].push_back({held.node, Eigen::Vector3d::Unit(held.component), held.displacement});
+  std::map<int, std::vector<HeldAlong>> oblique;
+  for (const ModelObliqueSupport& support : model_.oblique_supports)
+    if (has(support.node)) oblique[at(support.node)].push_back({at(support.node), support.direction, spec_.unit * support.value});
+  for (const auto& [node, own] : oblique) lines[node].insert(lines[node].end(), own.begin(), own.end());
+  for (std::size_t n = 0; n < parents_.size(); ++n) {
+    if (parents_[n].empty() || !lines.contains(parents_[n].front())) continue;
+    for (const HeldAlong& first : lines.at(parents_[n].front())) {
+      HeldAlong mean{static_cast<int>(n), Eigen::Vector3d::Zero(), 0.0};
+      bool all = true;
+      for (const int parent : parents_[n]) {
+        const auto found = lines.contains(parent) ? like(lines.at(parent), first.direction) : std::nullopt;
+        all = all && found;
+        if (!all) break;
+        mean.direction += found->direction, mean.displacement += found->displacement / static_cast<double>(parents_[n].size());
+      }
+      if (!all) continue;
+      mean.direction.normalize();
+      if (is_axis(mean.direction)) continue;
+      lines[static_cast<int>(n)].push_back(mean), oblique[static_cast<int>(n)].push_back(mean);
+    }
+  }
+  for (const auto& [node, own] : oblique) mesh_.held_along.insert(mesh_.held_along.end(), own.begin(), own.end());
+}
+
 void ForeignNodes::add_supports() {
   for (int c = 0; c < 3; ++c)
     for (const auto& [node, value] : held(c)) mesh_.held.push_back({node, c, spec_.unit * value});
+  add_oblique_supports();
   if (mesh_.shell.empty()) return;
   for (int c = 0; c < 3; ++c)
     for (const auto& [node, value] : held(3 + c)) {

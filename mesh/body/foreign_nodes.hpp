@@ -39,6 +39,7 @@ class ForeignNodes {
 
  private:
   std::map<int, double> held(int component) const;
+  void add_oblique_supports();
 
   const Model& model_;
   const input::BodySpec& spec_;

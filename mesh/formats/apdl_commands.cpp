@@ -14,9 +14,9 @@ std::string short_name(std::string_view name) {
 
 bool says_nothing(const std::string& name) {
   static const std::set<std::string> names = {
-      "FINI", "SOLV", "SAVE", "ANTY", "OUTR", "OUTP", "NSUB", "DELT", "TIME", "KBC", "AUTO", "EQSL", "NUMO", "EXTO", "SHPP", "PRNS", "PRES",
-      "PLNS", "PLDI", "SET", "EPLO", "NPLO", "KPLO", "APLO", "NLIS", "ELIS", "IRLF", "DSYS", "RSYS", "WPCS", "LSWR", "NROP", "CNVT", "ERES",
-      "MPTE", "MPTG", "TBTE", "LSTR", "L", "DOF", "PSTR", "LUMP", "BCSO", "CEIN", "MSHC", "MSHK", "PRRS", "RATE", "NCNV", "LNSR", "PRED",
+      "FINI", "SAVE", "ANTY", "OUTR", "OUTP", "NSUB", "DELT", "TIME", "KBC", "AUTO", "EQSL", "NUMO", "EXTO", "SHPP", "PRNS", "PRES",
+      "PLNS", "PLDI", "SET", "EPLO", "NPLO", "KPLO", "APLO", "NLIS", "ELIS", "IRLF", "DSYS", "RSYS", "WPCS", "NROP", "CNVT", "ERES",
+      "MPTE", "MPTG", "TBTE", "LSTR", "LSSO", "L", "DOF", "PSTR", "LUMP", "BCSO", "CEIN", "MSHC", "MSHK", "PRRS", "RATE", "NCNV", "LNSR", "PRED",
       "EALI", "DMPR", "ALPH", "BETA", "EXIT", "NERR", "EOF", "CRPL", "NEQI", "KUSE", "TOFF", "TRNO", "STEF", "THOP", "DMPO", "EMUN", "SOLC",
       "STAB", "RESC", "MONI", "OPNC", "PIVC", "TIMI", "SSTI", "OUTG", "GST", "CNTR", "PCGO", "LOCA", "CLOC", "CS", "WPOF", "WPRO", "WPAV", "WPLA",
       "NUMS", "CMGR", "CMPL", "NLDI", "MXPA", "ETCO", "REST", "RIGI", "TINT", "CECM", "NLHI", "CMDI", "ESYS", "LOCL"};

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mesh/formats/apdl_commands.hpp"
+#include "mesh/formats/apdl_loads.hpp"
 #include "mesh/formats/apdl_script.hpp"
 
 namespace snug::mesh {
@@ -17,8 +18,12 @@ constexpr std::size_t most_errors = most_model_errors;
 
 class ApdlReader {
  public:
-  ApdlReader(const std::string& text, const std::string& file, input::Diagnostics& diagnostics)
-      : source_(text), file_(file), diagnostics_(diagnostics) {}
+  ApdlReader(const std::string& text, const std::string& file, input::Diagnostics& diagnostics, int load_step)
+      : source_(text), file_(file), diagnostics_(diagnostics), loads_(deck_, selection_, load_step) {}
+
+  /// Of the text that has been read: load steps, and the line that ends the one that is taken.
+  int steps() const { return loads_.steps(); }
+  int step_line() const { return loads_.line(); }
 
   ApdlDeck read() {
     for (std::string_view line; source_.next(line) && diagnostics_.errors().size() < most_errors;) {
@@ -48,7 +53,7 @@ class ApdlReader {
     }
     if (says_nothing(name)) return;
     const FieldLine line{file_, written.number, script_.evaluated(written.fields), diagnostics_};
-    if (read_block(line, source_, deck_)) return;
+    if (read_block(line, source_, deck_) || loads_.take(name, line)) return;
     const auto& table = commands();
     if (const auto it = table.find(name); it != table.end()) return it->second(*this, line);
     if (const auto load = load_of_command(name)) return no_load(line, *load);
@@ -102,15 +107,10 @@ class ApdlReader {
         {"ESIZ", [](R& r, L l) { r.element_size(l); }},
         {"MSHA", [](R&, L l) { if (upper_case(l.text(2)) == "3D") l.error(2, "volumes are not meshed here", "write the meshed model with CDWRITE"); }},
         {"AMES", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "only all areas are meshed", "write amesh,all"); }},
-        {"D", [](R& r, L l) { r.support(l, r.deck_.supports); }},
-        {"DK", [](R& r, L l) { r.support(l, r.deck_.keypoint_supports); }},
-        {"F", [](R& r, L l) { r.force(l, r.deck_.forces); }},
-        {"FK", [](R& r, L l) { r.force(l, r.deck_.keypoint_forces); }},
-        {"SFE", [](R& r, L l) { r.surface_load(l); }},
-        {"CM", [](R& r, L l) { r.component(l); }},
-        {"NSEL", [](R& r, L l) { r.select(l); }},
-        {"CMSE", [](R& r, L l) { r.select_component(l); }},
-        {"ALLS", [](R& r, L) { r.all_ = true; }},
+        {"CM", [](R& r, L l) { r.selection_.make_component(l); }},
+        {"NSEL", [](R& r, L l) { r.selection_.select(l, [&r](const Eigen::Vector3d& at) { return r.in_coordinates(at); }); }},
+        {"CMSE", [](R& r, L l) { r.selection_.select_component(l); }},
+        {"ALLS", [](R& r, L) { r.selection_.all(); }},
         {"ESEL", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "elements are selected", "write esel,all"); }},
         {"ASEL", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "areas are selected", "write asel,all"); }},
         {"KSEL", [](R&, L l) { if (upper_case(l.text(1)) != "ALL") l.error(1, "keypoints are selected", "write ksel,all"); }}};
@@ -295,111 +295,15 @@ class ApdlReader {
     deck_.divisions = line.integer_at(2);
   }
 
-  /// Nodes or keypoints that field 1 and the range in `last` and `step` name.
-  template <class Visit>
-  void for_items(const FieldLine& line, std::size_t last, Visit visit) {
-    const std::string who = upper_case(line.text(1));
-    if (who == "ALL") {
-      for (const auto& [node, at] : deck_.nodes)
-        if (all_ || selected_.contains(node)) visit(node);
-      return;
-    }
-    if (const auto set = deck_.node_sets.find(who); set != deck_.node_sets.end()) {
-      for (const int node : set->second) visit(node);
-      return;
-    }
-    const int first = line.integer_at(1), end = line.integer_at(last, first), step = std::max(1, line.integer_at(last + 1, 1));
-    if (first < 1) return line.error(1, fmt::format("\"{}\" is no node", line.text(1)), "give its number, ALL or a component");
-    if (end - first > 10'000'000) return line.error(last, "the range is too large", "select nodes and write ALL");
-    for (int node = first; node <= end; node += step)
-      if (end == first || deck_.nodes.contains(node)) visit(node);
-  }
-
-  void support(const FieldLine& line, std::vector<ModelSupport>& supports) {
-    static const std::vector<std::string> labels = {"UX", "UY", "UZ", "ROTX", "ROTY", "ROTZ"};
-    for (const std::size_t field : {2u, 7u, 8u, 9u, 10u, 11u}) {
-      const std::string label = upper_case(line.text(field));
-      if (label.empty() && field > 2) continue;
-      const auto place = std::find(labels.begin(), labels.end(), label) - labels.begin();
-      if (label != "ALL" && place == 6)
-        return line.error(field, fmt::format("\"{}\" is no component of displacement", line.text(field)), "write UX UY UZ ROTX ROTY ROTZ or ALL");
-      const double value = line.number_at(3);
-      for_items(line, 5, [&](int node) {
-        for (int c = 0; c < 6; ++c)
-          if (label == "ALL" || c == place) supports.push_back({node, c, value});
-      });
-    }
-  }
-
-  void force(const FieldLine& line, std::vector<ModelForce>& forces) {
-    static const std::vector<std::string> labels = {"FX", "FY", "FZ"};
-    const auto place = std::find(labels.begin(), labels.end(), upper_case(line.text(2))) - labels.begin();
-    if (place == 3)
-      return line.error(2, fmt::format("\"{}\" is no force", line.text(2)), "write FX, FY or FZ; moments are not taken over");
-    for_items(line, 5, [&](int node) { forces.push_back({node, static_cast<int>(place), line.number_at(3)}); });
-  }
-
-  void surface_load(const FieldLine& line) {
-    if (upper_case(line.text(3)) != "PRES") return line.error(3, "only pressures on elements are read", "write SFE,element,face,PRES,,value");
-    if (line.integer_at(4) == 2) return;  // of harmonic loads, the part out of phase
-    const double value = line.number_at(5);
-    for (std::size_t f = 6; f < line.fields.size() && f < 9; ++f)
-      if (!line.empty(f) && line.number_at(f) != value) line.error(f, "the pressure varies over the face", "give one value a face");
-    deck_.pressures.push_back({line.integer_at(1), line.integer_at(2, 1), value});
-  }
-
-  std::vector<int> selection() const {
-    std::vector<int> nodes;
-    for (const auto& [node, at] : deck_.nodes)
-      if (all_ || selected_.contains(node)) nodes.push_back(node);
-    return nodes;
-  }
-  void component(const FieldLine& line) {
-    if (const std::string kind = upper_case(line.text(2)); kind.empty() || kind.starts_with("NODE"))
-      deck_.node_sets[upper_case(line.text(1))] = selection();
-  }
-  /// NSEL,S|R|A|U,LOC|NODE,component,min,max,step and NSEL,ALL|NONE.
-  void select(const FieldLine& line) {
-    const std::string mode = upper_case(line.text(1)), item = upper_case(line.text(2)), component = upper_case(line.text(3));
-    if (mode == "ALL" || mode == "NONE") {
-      all_ = mode == "ALL", selected_.clear();
-      return;
-    }
-    const bool by_place = item == "LOC" && (component == "X" || component == "Y" || component == "Z");
-    if ((mode != "S" && mode != "R" && mode != "A" && mode != "U") || (!by_place && item != "NODE"))
-      return line.error(1, "this selection is not read", "write nsel,s|r|a|u,loc,x|y|z,from,to or nsel,s,node,,from,to");
-    const double low = line.number_at(4), high = line.number_at(5, low);
-    const double slack = low == high ? std::max(0.005 * std::abs(low), 1e-6) : 1e-6 * std::abs(high - low);  // Ansys' tolerance
-    apply(mode, [&](int node, const Eigen::Vector3d& at) {
-      const double value = by_place ? in_coordinates(at)[component[0] - 'X'] : node;
-      return value >= low - slack && value <= high + slack;
-    });
-  }
-  void select_component(const FieldLine& line) {
-    const auto set = deck_.node_sets.find(upper_case(line.text(2)));
-    if (set == deck_.node_sets.end())
-      return line.error(2, fmt::format("there is no component \"{}\" of nodes", line.text(2)), "define it with CM or CMBLOCK first");
-    const std::set<int> members(set->second.begin(), set->second.end());
-    apply(line.empty(1) ? "S" : upper_case(line.text(1)), [&](int node, const Eigen::Vector3d&) { return members.contains(node); });
-  }
-  template <class Test>
-  void apply(const std::string& mode, Test test) {
-    std::set<int> now;
-    for (const auto& [node, at] : deck_.nodes) {
-      const bool before = all_ || selected_.contains(node), hit = test(node, at);
-      if (mode == "S" ? hit : mode == "R" ? before && hit : mode == "A" ? before || hit : before && !hit) now.insert(node);
-    }
-    selected_ = std::move(now), all_ = false;
-  }
-
   LineSource source_;
   const std::string& file_;
   input::Diagnostics& diagnostics_;
   ApdlDeck deck_;
+  ApdlSelection selection_{deck_};
+  ApdlLoads loads_;
   ApdlElement now_;  ///< attributes of the elements to come
   int last_element_ = 0, real_ = 1, section_ = 0, table_ = 1;
-  std::set<int> selected_;
-  bool all_ = true, cylindrical_ = false;
+  bool cylindrical_ = false;
   std::size_t coded_count_ = 0;
   double reference_ = 0.0;        ///< temperature at rest
   std::optional<double> uniform_; ///< temperature
@@ -409,10 +313,13 @@ class ApdlReader {
 
 }  // namespace
 
-Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics) {
-  ApdlDeck deck = ApdlReader(text, shown_as, diagnostics).read();
+Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics, int load_step) {
+  ApdlReader reader(text, shown_as, diagnostics, load_step);
+  ApdlDeck deck = reader.read();
   if (!diagnostics.any()) mesh_areas(deck, shown_as, diagnostics);
-  return model_of(deck, shown_as, diagnostics);
+  Model model = model_of(deck, shown_as, diagnostics);
+  tell_load_step(model, reader.steps(), load_step, {shown_as, reader.step_line(), reader.step_line() > 0 ? 1 : 0}, diagnostics);
+  return model;
 }
 
 }  // namespace snug::mesh

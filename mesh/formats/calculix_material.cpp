@@ -9,11 +9,6 @@ namespace snug::mesh {
 
 namespace {
 
-std::string value_of(const InpParameters& parameters, const std::string& key) {
-  const auto it = parameters.find(key);
-  return it == parameters.end() ? "" : it->second;
-}
-
 ModelLaw hyperelastic_law(const FieldLine& card, const InpParameters& parameters) {
   if (parameters.contains("NEOHOOKE")) return ModelLaw::neo_hooke;
   if (parameters.contains("MOONEY-RIVLIN")) return ModelLaw::mooney_rivlin;

@@ -1,18 +1,13 @@
 // Constants of materials in the inputs of CalculiX and Abaqus.
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "mesh/formats/calculix_words.hpp"
 #include "mesh/formats/fields.hpp"
 #include "mesh/formats/model.hpp"
 
 namespace snug::mesh {
-
-/// Parameters of a keyword, in capitals.
-using InpParameters = std::map<std::string, std::string>;
 
 /// The lines of constants after *ELASTIC and *HYPERELASTIC: C10, D1; C10, C01, D1; C10, C20, C30, D1, D2, D3; mu_1, alpha_1, ..., D_1, ...,
 /// eight a line; kappa = 2/D1, Ogden's mu are our mu alpha/2.

@@ -1,10 +1,14 @@
 #include "mesh/formats/calculix_words.hpp"
 
-#include <map>
 #include <set>
 #include <string_view>
 
 namespace snug::mesh {
+
+std::string value_of(const InpParameters& parameters, const std::string& key) {
+  const auto it = parameters.find(key);
+  return it == parameters.end() ? "" : it->second;
+}
 
 bool is_card_without_meaning(const std::string& card) {
   static const std::set<std::string> names = {

@@ -1,6 +1,7 @@
 // Words of the inputs of CalculiX and Abaqus: element types, cards without meaning for the model, names of supports.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,11 @@
 #include "mesh/formats/model.hpp"
 
 namespace snug::mesh {
+
+/// Parameters of a keyword, in capitals.
+using InpParameters = std::map<std::string, std::string>;
+/// Empty where there is no such parameter or it has no value.
+std::string value_of(const InpParameters& parameters, const std::string& key);
 
 /// Cards that say nothing about the model of one static step. Names are capitals without blanks.
 bool is_card_without_meaning(const std::string& card);

@@ -126,6 +126,7 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
         check(element.nodes[n], model.line_of(element.number), fmt::format("element {}", element.number));
   }
   for (const ModelSupport& support : model.supports) check(support.node, 0, "a support");
+  for (const ModelObliqueSupport& support : model.oblique_supports) check(support.node, 0, "a support");
   for (const ModelForce& force : model.forces) check(force.node, 0, "a force");
   for (const ModelPressure& pressure : model.pressures)
     if (!elements.contains(pressure.element) && diagnostics.errors().size() < most_errors)
@@ -136,6 +137,18 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const int node : nodes) check(node, 0, "the set " + name);
   }
+}
+
+void tell_load_step(Model& model, int steps, int asked, const input::Location& last, input::Diagnostics& diagnostics) {
+  if (asked > std::max(1, steps))
+    return diagnostics.error(last, fmt::format("load step {} is asked for, and there {} {}", asked, steps == 1 ? "is" : "are", steps),
+                             steps > 1 ? fmt::format("write load_step from 1 to {} in [body]", steps) : "leave load_step out of [body]");
+  if (steps < 2) return;
+  if (asked > 0)
+    model.remarks.push_back({last, fmt::format("there are {} steps: the loads and supports at the end of step {} are brought up together", steps, asked), "load_step in [body] chooses it"});
+  else
+    model.remarks.push_back({last, fmt::format("there are {} steps: the loads and supports at the end of the last one are brought up together", steps),
+                             "load_step in [body] chooses another"});
 }
 
 input::Diagnostic linear_step_remark(const std::string& file, const std::string& switch_on, int line) {
@@ -156,17 +169,18 @@ static bool looks_like_calculix(std::string_view text) {
 
 bool is_model_file(const std::filesystem::path& file) {
   const std::string ending = upper_case(file.extension().string());
-  for (const char* known : {".CDB", ".ANS", ".MAC", ".APDL", ".TXT", ".INP"})
+  for (const char* known : {".CDB", ".ANS", ".MAC", ".APDL", ".TXT", ".INP", ".FEB"})
     if (ending == known) return true;
   return false;
 }
 
-Model read_model(const std::filesystem::path& file, const std::filesystem::path& root) {
+Model read_model(const std::filesystem::path& file, const std::filesystem::path& root, int load_step) {
   const std::string text = input::read_file(file);
   input::Diagnostics diagnostics;
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  Model model = looks_like_calculix(text) ? parse_calculix(text, file.string(), diagnostics, folder, root.empty() ? folder : root)
-                                          : parse_apdl(text, file.string(), diagnostics);
+  Model model = upper_case(file.extension().string()) == ".FEB" ? parse_febio(text, file.string(), diagnostics, load_step)
+                : looks_like_calculix(text) ? parse_calculix(text, file.string(), diagnostics, folder, root.empty() ? folder : root, load_step)
+                                          : parse_apdl(text, file.string(), diagnostics, load_step);
   diagnostics.throw_if_any();
   return model;
 }

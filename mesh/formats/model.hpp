@@ -44,15 +44,17 @@ struct ModelElement {
   bool operator==(const ModelElement&) const = default;
 };
 
-/// Constants: elastic E, nu; neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Yeoh C10, C20, C30, kappa; Ogden mu_1, alpha_1, ..., kappa in the
-/// convention W = sum mu_p/alpha_p (...). The hyperelastic laws have the volumetric energy kappa/2 (J - 1)^2.
-enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden, yeoh };
+/// Constants: elastic E, nu; compressible neo-Hooke E, nu (W = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2); neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Yeoh C10, C20, C30, kappa; Ogden mu_1, alpha_1, ..., kappa in the
+/// convention W = sum mu_p/alpha_p (...). Those with kappa have the volumetric energy kappa/2 (J - 1)^2, or kappa/2 (ln J)^2.
+enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden, yeoh, compressible_neo_hooke };
+enum class ModelVolume { quadratic, logarithmic };
 
 struct ModelMaterial {
   std::string name;
   ModelLaw law = ModelLaw::none;
   std::vector<double> constants;
   double density = 0.0;  ///< 0: not given
+  ModelVolume volume = ModelVolume::quadratic;
   bool operator==(const ModelMaterial&) const = default;
 };
 
@@ -68,6 +70,13 @@ struct ModelSupport {
   int node = 0, component = 0;
   double value = 0.0;
   bool operator==(const ModelSupport&) const = default;
+};
+/// A node held at a displacement along a direction (a unit vector) that is none of x, y, z.
+struct ModelObliqueSupport {
+  int node = 0;
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+  double value = 0.0;
+  bool operator==(const ModelObliqueSupport&) const = default;
 };
 struct ModelForce {
   int node = 0, component = 0;
@@ -89,6 +98,7 @@ struct Model {
   std::vector<ModelSection> sections;
   std::map<std::string, std::vector<int>> node_sets;  ///< numbers, ascending
   std::vector<ModelSupport> supports;
+  std::vector<ModelObliqueSupport> oblique_supports;
   std::vector<ModelForce> forces;
   std::vector<ModelPressure> pressures;
   std::map<int, int> element_line;  ///< where an element stands in its file, for messages
@@ -108,20 +118,28 @@ inline constexpr std::size_t most_model_errors = 1000;
 /// without a law and supports and forces at nodes that are not there.
 void finish(Model& model, const std::string& file, input::Diagnostics& diagnostics);
 
+/// Of a file with `steps` load steps, of which the loads at the end of `asked` (0: the last) are in the model: says so where there are several,
+/// reports a step that is not there.
+void tell_load_step(Model& model, int steps, int asked, const input::Location& last, input::Diagnostics& diagnostics);
+
 /// What is said where a file asks for a linear step: the answers differ as soon as displacements are large.
 input::Diagnostic linear_step_remark(const std::string& file, const std::string& switch_on, int line = 0);
 
-/// Reads APDL text or a CDB file (.cdb, .ans, .mac, .apdl, .txt), or CalculiX input (.inp), by the ending of its name.
-/// Files that it includes must lie in `root` (left out: in its own folder).
+/// Reads APDL text or a CDB file (.cdb, .ans, .mac, .apdl, .txt), CalculiX input (.inp) or a FEBio model (.feb), by the ending of its name.
+/// Files that it includes must lie in `root` (left out: in its own folder). Of several load steps the end of `load_step`, counted from 1,
+/// is taken (0: of the last).
 /// Throws input::InputError with the line of everything that is wrong or cannot be taken over.
-Model read_model(const std::filesystem::path& file, const std::filesystem::path& root = {});
+Model read_model(const std::filesystem::path& file, const std::filesystem::path& root = {}, int load_step = 0);
 /// True for names that read_model takes.
 bool is_model_file(const std::filesystem::path& file);
 
-Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics);
+Model parse_apdl(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics, int load_step = 0);
 /// *INCLUDE looks for files from `folder` and takes none outside `root`; without them it is refused.
 Model parse_calculix(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics, const std::filesystem::path& folder = {},
-                     const std::filesystem::path& root = {});
+                     const std::filesystem::path& root = {}, int load_step = 0);
+
+/// A FEBio model of format 3 or 4: solids with their materials, node sets (of surfaces, too), displacements, forces and pressures.
+Model parse_febio(const std::string& text, const std::string& shown_as, input::Diagnostics& diagnostics, int load_step = 0);
 
 /// One static step with large displacements; displacements of all nodes go to the .dat file. Numbers have the 20 characters
 /// that CalculiX reads: what is read back is what was written, to 1e-14 of the longest ones.

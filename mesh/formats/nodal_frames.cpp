@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace snug::mesh {
 
@@ -25,21 +26,25 @@ int global_axis(const Eigen::Vector3d& direction) {
   return -1;
 }
 
-/// In the global frame; nothing where a held axis is oblique.
-std::optional<Held> turned(const Held& held, const Eigen::Matrix3d& frame) {
+/// What is held in the global frame, and along which of the node's axes else.
+struct Turned {
   Held global;
+  std::vector<int> oblique;
+};
+Turned turned(const Held& held, const Eigen::Matrix3d& frame) {
+  Turned turned;
   if (held[0] && held[1] && held[2]) {
     const Eigen::Vector3d way = frame * Eigen::Vector3d(*held[0], *held[1], *held[2]);
-    for (int c = 0; c < 3; ++c) global[c] = way[c];
-    return global;
+    for (int c = 0; c < 3; ++c) turned.global[c] = way[c];
+    return turned;
   }
   for (int a = 0; a < 3; ++a) {
     if (!held[a]) continue;
     const int axis = global_axis(frame.col(a));
-    if (axis < 0) return std::nullopt;
-    global[axis] = *held[a] == 0.0 ? 0.0 : *held[a] * (frame(axis, a) > 0.0 ? 1.0 : -1.0);
+    if (axis < 0) turned.oblique.push_back(a);
+    else turned.global[axis] = *held[a] == 0.0 ? 0.0 : *held[a] * (frame(axis, a) > 0.0 ? 1.0 : -1.0);
   }
-  return global;
+  return turned;
 }
 
 void turn_supports(Model& model, const NodalFrames& frames, const std::string& file, input::Diagnostics& diagnostics) {
@@ -51,14 +56,16 @@ void turn_supports(Model& model, const NodalFrames& frames, const std::string& f
   });
   for (const auto& [key, held] : in_frame) {
     const auto [node, rotations] = key;
-    const std::optional<Held> global = turned(held, frames.at(node));
-    if (!global) {
-      diagnostics.error({file, 0, 0}, fmt::format("node {} is held along an axis of its own frame that is none of x, y, z", node),
-                        "hold the node along all three axes, or model the part so that its planes of symmetry stand along x, y, z");
+    const Eigen::Matrix3d& frame = frames.at(node);
+    const Turned at = turned(held, frame);
+    if (rotations && !at.oblique.empty()) {
+      diagnostics.error({file, 0, 0}, fmt::format("the turn of node {} is held about an axis of its own frame that is none of x, y, z", node),
+                        "hold the turns about all three axes, or model the part so that its planes of symmetry stand along x, y, z");
       continue;
     }
     for (int c = 0; c < 3; ++c)
-      if ((*global)[c]) model.supports.push_back({node, 3 * rotations + c, *(*global)[c]});
+      if (at.global[c]) model.supports.push_back({node, 3 * rotations + c, *at.global[c]});
+    for (const int a : at.oblique) model.oblique_supports.push_back({node, frame.col(a), *held[a]});
   }
 }
 

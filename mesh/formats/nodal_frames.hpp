@@ -29,7 +29,7 @@ struct FrameByPoints {
 };
 
 /// Turns supports and forces, which are given along the axes of their nodes, into the global frame. A support along an axis that
-/// is none of the global ones is reported unless the node is held along all three: it would tie components to each other.
+/// is none of the global ones becomes an oblique one unless the node is held along all three; of rotations it is reported.
 /// Frames of nodes at which nothing acts say nothing.
 void turn_into_global(Model& model, const NodalFrames& frames, const std::string& file, input::Diagnostics& diagnostics);
 

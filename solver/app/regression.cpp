@@ -48,6 +48,7 @@ std::vector<ReferenceTable> read_references(const input::Case& description) {
   postproc::FieldOptions reading{.length_unit = spec.length_unit,
                                  .stress_unit = spec.stress_unit,
                                  .surface = {},
+                                 .load_step = spec.load_step,
                                  .nodes = spec.nodes.value_or(fs::path())};
   const auto add = [&](const char* name, postproc::Quantity quantity, const fs::path& file) -> ReferenceTable& {
     ReferenceTable& table = tables.emplace_back();

@@ -30,6 +30,8 @@
 #include "postproc/comfort/curve_library.hpp"
 #include "postproc/comfort/fuzzy_file.hpp"
 #include "postproc/comfort/membership_fit.hpp"
+#include "postproc/febio_log.hpp"
+#include "postproc/frd_listing.hpp"
 #include "postproc/grid.hpp"
 #include "postproc/listing_reader.hpp"
 #include "postproc/nodal_field.hpp"
@@ -164,13 +166,13 @@ std::vector<Target> text_targets() {
   };
   return {
       {"apdl",
-       model_by(mesh::parse_apdl),
+       model_by([](const std::string& text, const std::string& file, input::Diagnostics& diagnostics) { return mesh::parse_apdl(text, file, diagnostics, 1); }),
        {text_of(models / "double_pyramid.txt"), text_of(models / "block.cdb"),
         "et,1,185\net,2,154\nmp,ex,1,4\nk0=2\n*do,i,0,1\nn,1+4*i,0,0,i*k0\nn,2+4*i,1,0,i*k0\nn,3+4*i,1,1,i*k0,30\nn,4+4*i,0,1,i*k0\n*enddo\nn,9,.5,.5,3\nn,10,0,2,0\nn,11,0,2,2\n"
         "e,1,2,3,4,5,6,7,8\ne,5,6,7,8,9,9,9,9\ne,4,3,10,10,8,7,11,11\ntype,2\ne,1,2,6,5\nsfe,4,1,pres,,1\nf,5,fz,1\nf,6,fz,1\nf,7,fz,1\nf,8,fz,1\nd,1,all\nd,2,all\nd,3,all\n"},
        {"NBLOCK,6,SOLID\n", "EBLOCK,19,SOLID\n", "CMBLOCK,A,NODE,3\n(8i10)\n", "RLBLOCK,1,1,6,7\n", "(3i9,6e21.13e3)\n", "esize,,3\n",
         "d,all,all\n", "nsel,s,loc,x,0,1\n", "$", "!", ",", "\n", "-1\n", "99999999", "e,1,2,3,4\n", "a,1,2,3\n", "1e999", "*do,j,1,3\n", "*enddo\n", "*if,k0,eq,2,then\n", "*else\n",
-        "*endif\n", "en,r5.5,attr,20,1,1,1,1,0,7\n", "en,r5.5,node,,", "0,0,0,0", "csys,1\n", "emore,0,0\n"}},
+        "*endif\n", "en,r5.5,attr,20,1,1,1,1,0,7\n", "en,r5.5,node,,", "0,0,0,0", "csys,1\n", "emore,0,0\n", "solve\n", "lswrite\n", "fdele,all,all\n", "ddele,1,ux\n", "sfedele,all\n", "lsclear,all\n"}},
       {"inp",
        model_by([](const std::string& text, const std::string& file, input::Diagnostics& diagnostics) { return mesh::parse_calculix(text, file, diagnostics); }),
        {text_of(models / "cube.inp"),
@@ -180,6 +182,36 @@ std::vector<Target> text_targets() {
        {"*ELEMENT, TYPE=S6, ELSET=E\n", "*NSET, NSET=N, GENERATE\n", "*SHELL SECTION, ELSET=E, MATERIAL=M\n", "*", "**", ",", "\n", "=",
         "99999999", "1e999", "*DLOAD\n", "*ELASTIC\n", "*HYPERELASTIC, OGDEN, N=3\n", "*INCLUDE, INPUT=a.inp\n",
         "*AMPLITUDE, NAME=A\n0,0,1,1\n", "*ELEMENT, TYPE=C3D13, ELSET=E\n", "*TRANSFORM, NSET=T, TYPE=R\n1,0,0,0,1,0\n", "*STEP\n"}},
+      {"feb",
+       model_by([](const std::string& text, const std::string& file, input::Diagnostics& diagnostics) { return mesh::parse_febio(text, file, diagnostics); }),
+       {"<febio_spec version=\"4.0\"><Module type=\"solid\"/><Material><material id=\"1\" name=\"m\" type=\"neo-Hookean\"><E>1</E><v>0.3</v></material></Material>"
+        "<Mesh><Nodes name=\"N\"><node id=\"1\">0,0,0</node><node id=\"2\">1,0,0</node><node id=\"3\">0,1,0</node><node id=\"4\">0,0,1</node></Nodes>"
+        "<Elements type=\"tet4\" name=\"P\"><elem id=\"1\">1,2,3,4</elem></Elements><NodeSet name=\"s\">1,2,3</NodeSet><Surface name=\"f\"><tri3 id=\"1\">1,3,2</tri3></Surface></Mesh>"
+        "<MeshDomains><SolidDomain name=\"P\" mat=\"m\"/></MeshDomains><Boundary><bc type=\"zero displacement\" node_set=\"s\"><x_dof>1</x_dof></bc>"
+        "<bc type=\"prescribed displacement\" node_set=\"N\"><dof>z</dof><value lc=\"1\">0.1</value></bc></Boundary><Loads><surface_load type=\"pressure\" surface=\"f\"><pressure lc=\"1\">1</pressure></surface_load>"
+        "<nodal_load type=\"nodal_force\" node_set=\"s\"><value>0,0,1</value></nodal_load></Loads><LoadData><load_controller id=\"1\" type=\"loadcurve\"><points><pt>0,0</pt><pt>1,1</pt></points></load_controller></LoadData>"
+        "<Step><step id=\"1\"><Control><time_steps>10</time_steps><step_size>0.1</step_size></Control></step></Step></febio_spec>"},
+       {"<", ">", "/>", "</Mesh>", "hex8", "hex27", "\"", "&amp;", "1e999", "99999999999", "lc=\"2\"", "<Contact><a/></Contact>", "<quad4>1,2,3,4</quad4>", "<!--", "<![CDATA[", "tri6", ","}},
+      {"frd",
+       [](const fs::path&, const std::string& text) {
+         input::Diagnostics diagnostics;
+         const auto tables = postproc::frd_tables(text, "fuzz", diagnostics);
+         diagnostics.throw_if_any();
+         if (tables) postproc::field_of(*tables, {});
+       },
+       {"    1C\n    2C                             2                                     1\n -1         1 0.00000E+00 0.00000E+00 0.00000E+00\n -1         2 3.00000E+01 0.00000E+00 0.00000E+00\n -3\n"
+        "    1PSTEP                         1           1           1\n  100CL  101 1.000000000           2                     0    1           1\n -4  DISP        4    1\n -5  D1          1    2    1    0\n"
+        " -5  D2          1    2    2    0\n -5  D3          1    2    3    0\n -5  ALL         1    2    0    0    1ALL\n -1         1-6.46343E-02 0.00000E+00 0.00000E+00\n -1         2 1.E0\n -3\n 9999\n"},
+       {" -1", " -2", " -3\n", " -4  STRESS      6    1\n", " -5  SXX         1    4    1    1\n", "    3C", "    2C", "\n", "1.00000E+00", "-1.0000E+100", "*", "NaN"}},
+      {"febiolog",
+       [](const fs::path&, const std::string& text) {
+         input::Diagnostics diagnostics;
+         const auto tables = postproc::febio_records(text, "fuzz", diagnostics);
+         diagnostics.throw_if_any();
+         if (tables) postproc::field_of(*tables, {});
+       },
+       {"Data Record #1\n=====\nStep = 1\nTime = 0.5\nData = displacement\n3 0.25 0 -1.5e-05\n7 -2 1 1\n", "*Step  = 4\n*Time  = 0.1\n*Data  = uz;ux\n1,0.5,-1\n12,2,3\n"},
+       {"*Step = ", "*Time = ", "*Data = ux;uy;uz\n", "\n", "\n\n", ",", "1e999", "nan", "-", "99999999999 "}},
       {"listing",
        listing,
        {text_of(listings / "shell_displacement.lis"), text_of(listings / "shell_stress.lis"),

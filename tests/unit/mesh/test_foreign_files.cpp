@@ -66,7 +66,7 @@ const std::string elastic = "mp,ex,1,4.5\nmp,nuxy,1,0.2\n";
 
 TEST(Apdl, ForcesAndSupportsActAlongTheAxesOfTheirNodes) {
   // THXY = 30: FX of 2 is (2 cos 30, 2 sin 30, 0); THYZ = 90 turns y to z: UY holds z; held along all three axes with 0 or with values
-  // the node is held in the global ones; an axis that is oblique and held alone is refused.
+  // the node is held in the global ones; an axis that is oblique is held as such, of turns it is refused.
   const std::string head = "et,1,solid185\n" + elastic + box_nodes + "e,1,2,3,4,5,6,7,8\n";
   const Model turned = apdl(head + "n,7,2,1,3,30\nf,7,fx,2\nn,6,2,0,3,0,90\nd,6,uy,0.25\nn,2,2,0,0,90\nd,2,ux,0.1\nd,2,uy,0.2\nd,2,uz,0.3\nnlgeom,on\n");
   ASSERT_EQ(turned.forces.size(), 2u);
@@ -80,7 +80,12 @@ TEST(Apdl, ForcesAndSupportsActAlongTheAxesOfTheirNodes) {
   EXPECT_NEAR((held[{2, 0}]), -0.2, 1e-15);  // its y axis points to -x
   EXPECT_NEAR((held[{2, 1}]), 0.1, 1e-15);
   EXPECT_NEAR((held[{2, 2}]), 0.3, 1e-15);
-  EXPECT_NE(fault(apdl, head + "n,7,2,1,3,30\nd,7,ux,0\n").find("node 7 is held along an axis of its own"), std::string::npos);
+  const Model oblique = apdl(head + "n,7,2,1,3,30\nd,7,ux,0.4\n");
+  ASSERT_EQ(oblique.oblique_supports.size(), 1u);
+  EXPECT_TRUE(oblique.supports.empty());
+  EXPECT_NEAR((oblique.oblique_supports[0].direction - Eigen::Vector3d(std::cos(std::numbers::pi / 6), 0.5, 0)).norm(), 0.0, 1e-15);
+  EXPECT_EQ(oblique.oblique_supports[0].value, 0.4);
+  EXPECT_NE(fault(apdl, head + "n,7,2,1,3,30\nd,7,rotx,0\n").find("the turn of node 7 is held about an axis of its own"), std::string::npos);
   EXPECT_EQ(fault(apdl, head + "n,7,2,1,3,30\nd,7,uz,0\nd,6,ux,0\n"), "");  // z is z still; nothing acts in the turned plane
   // The same in a block, in the columns behind the place.
   const std::string block = "et,1,185\n" + elastic +
