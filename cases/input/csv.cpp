@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "cases/input/files.hpp"
+#include "cases/input/spreadsheet.hpp"
 #include "cases/input/suggestion.hpp"
 #include "cases/input/table_lines.hpp"
 #include "cases/input/units.hpp"
@@ -117,6 +118,35 @@ void report_missing(const Csv& csv, const std::string& column, Diagnostics& diag
 
 }  // namespace
 
+namespace {
+
+Csv finished(Csv csv, Diagnostics& diagnostics) {
+  const Comma comma = comma_of(csv);
+  csv.decimal_comma = comma == Comma::decimal;
+  if (comma == Comma::unclear)
+    diagnostics.error({csv.file, csv.rows[0].line, 1}, "numbers such as 1,234 may be one point two or one thousand two hundred",
+                      "write decimal points, or separate the columns by semicolons where commas are decimal");
+  if (csv.rows.empty() && !diagnostics.any())
+    diagnostics.error({csv.file, 0, 0}, "the table has no rows", "give a head line and one line a row");
+  return csv;
+}
+
+/// Columns as the sheet counts them; rows end where the sheet has no more cells.
+Csv of_sheet(std::vector<SheetRow> sheet, Csv csv, Diagnostics& diagnostics) {
+  csv.separator = '\t';
+  for (SheetRow& from : sheet) {
+    Csv::Row row{.line = from.number, .cells = {}, .columns = {}};
+    for (std::string& cell : from.cells) row.cells.push_back(trimmed(cell)), row.columns.push_back(static_cast<int>(row.cells.size()));
+    const bool empty = std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); });
+    if (empty || row.cells[0].starts_with('#')) continue;
+    while (row.cells.size() < csv.columns.size()) row.cells.emplace_back(), row.columns.push_back(static_cast<int>(row.cells.size()));
+    add_row(csv, std::move(row), diagnostics);
+  }
+  return finished(std::move(csv), diagnostics);
+}
+
+}  // namespace
+
 int Csv::find(const std::string& name) const {
   for (std::size_t c = 0; c < columns.size(); ++c)
     if (columns[c].name == name) return static_cast<int>(c);
@@ -134,10 +164,11 @@ Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const 
   std::istringstream file;
   try {
     const std::string content = read_file(path, {.shown_as = csv.file, .most = std::uintmax_t{1} << 28});
-    if (content.starts_with("PK\x03\x04") || content.starts_with("\xD0\xCF\x11\xE0")) {
-      diagnostics.error({csv.file, 0, 0}, "this is the file of a spreadsheet program, no table as text", "save its sheet as CSV (separated by commas, semicolons or tabs)");
+    if (content.starts_with("\xD0\xCF\x11\xE0")) {
+      diagnostics.error({csv.file, 0, 0}, "this is the file of an old spreadsheet program, or one with a password", "save its sheet as .xlsx, or as CSV (separated by commas, semicolons or tabs)");
       return csv;
     }
+    if (is_zip(content)) return of_sheet(sheet_rows(content, csv.file, diagnostics), std::move(csv), diagnostics);
     file.str(plain_text(content));
   } catch (const InputError& error) {
     for (const Diagnostic& one : error.errors()) diagnostics.error(one.where, one.found, one.remedy);
@@ -151,14 +182,7 @@ Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const 
     if (csv.columns.empty()) csv.separator = separator_of(line);
     add_row(csv, row_of(line, number, csv.separator), diagnostics);
   }
-  const Comma comma = comma_of(csv);
-  csv.decimal_comma = comma == Comma::decimal;
-  if (comma == Comma::unclear)
-    diagnostics.error({csv.file, csv.rows[0].line, 1}, "numbers such as 1,234 may be one point two or one thousand two hundred",
-                      "write decimal points, or separate the columns by semicolons where commas are decimal");
-  if (csv.rows.empty() && !diagnostics.any())
-    diagnostics.error({csv.file, 0, 0}, "the table has no rows", "give a head line and one line a row");
-  return csv;
+  return finished(std::move(csv), diagnostics);
 }
 
 std::vector<double> numbers(const Csv& csv, const std::string& column, const std::string& si_unit,

@@ -11,7 +11,7 @@
 namespace snug::input {
 
 /// A CSV file as read: UTF-8, UTF-16 or Windows' Latin text, columns between commas, semicolons or tabs as in the head, decimal
-/// commas where commas do not separate. Lines that are empty or begin with # are skipped; fields may stand in double quotes.
+/// commas where commas do not separate; or the first sheet of an .xlsx workbook (spreadsheet.hpp). Lines that are empty or begin with # are skipped; fields may stand in double quotes.
 struct Csv {
   struct Column {
     std::string name;  ///< "girth"
@@ -34,7 +34,7 @@ struct Csv {
   Location place(std::size_t row, std::size_t column) const;
 };
 
-/// Reads a CSV file. A missing file, a missing head and rows of another length are reported; such rows are left out.
+/// Reads a CSV file or a workbook. A missing file, a missing head and rows of another length are reported; such rows are left out.
 Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as = {});
 
 /// The numbers of a column in SI. `si_unit` empty: plain numbers, and a unit in the head is an error; otherwise the

@@ -66,6 +66,6 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "libraries of snug for programs of othe
  snug::solver) of snug.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libdeal.ii-dev, libmumps-dev, libmetis-dev, libgmsh-dev, libvtk9-dev, libeigen3-dev, libgsl-dev, libfuzzylite-dev, libudunits2-dev, libsqlite3-dev, libfmt-dev, libdxflib-dev, libpugixml-dev, libgmp-dev, libmpfr-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libdeal.ii-dev, libmumps-dev, libmetis-dev, libgmsh-dev, libvtk9-dev, libeigen3-dev, libgsl-dev, libfuzzylite-dev, libudunits2-dev, libsqlite3-dev, libfmt-dev, libdxflib-dev, libpugixml-dev, libzip-dev, libgmp-dev, libmpfr-dev")
 
 include(CPack)
