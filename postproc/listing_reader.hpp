@@ -50,7 +50,7 @@ struct ListingTable {
 std::vector<ListingTable> parse_listing(std::string_view text, const std::string& shown_as,
                                         input::Diagnostics& diagnostics);
 
-/// The tables of a file; also tables with a head line and separated columns (column_table.hpp). Throws input::InputError: no such file, no table in it, wrong rows.
+/// The tables of a file; also .frd files of CalculiX (frd_listing.hpp), records of FEBio (febio_log.hpp) and tables with a head line and separated columns (column_table.hpp). Throws input::InputError: no such file, no table in it, wrong rows.
 std::vector<ListingTable> read_listing(const std::filesystem::path& file);
 
 }  // namespace snug::postproc
