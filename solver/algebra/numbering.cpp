@@ -22,7 +22,6 @@ void Numbering::fold(Eigen::VectorXd& forces) const {
 
 void Numbering::spread(Eigen::VectorXd& step) const {
   for (const auto& [entry, follows] : bound_) {
-    step[entry] = 0.0;
     for (const Follow& of : follows) step[entry] += of.weight * step[of.entry];
   }
 }

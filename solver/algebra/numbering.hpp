@@ -33,7 +33,7 @@ class Numbering {
 
   /// Adds what acts on bound entries to those that they follow (C^T f), and sets it to zero there.
   void fold(Eigen::VectorXd& forces) const;
-  /// Gives the bound entries of a step what they follow (C u).
+  /// Adds what they follow to the bound entries of a step (C u), which have there what they go by themselves.
   void spread(Eigen::VectorXd& step) const;
 
  private:

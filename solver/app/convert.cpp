@@ -95,6 +95,9 @@ mesh::BodyLoads loads_of(const input::Case& description, const mesh::BodyMesh& b
   solver::State full = solver::placed_state(layout, meshes);
   full.load = 1.0;
   const Eigen::VectorXd gap = supports.gap(full);
+  if (!supports.oblique().empty())
+    throw input::InputError(description.body->where, fmt::format("\"{}\" holds nodes along a direction that is none of x, y, z, which is not written", supports.oblique().front().name),
+                            "turn the body so that its planes stand along x, y, z, or hold them by a [[support]]");
   mesh::BodyLoads loads;
   for (const int entry : supports.table().prescribed_entries())
     loads.held.push_back({entry / 3, entry % 3, gap.size() > 0 ? gap[entry] : 0.0});

@@ -195,6 +195,8 @@ void list_garments(const Model& model, const Meshes& meshes, Plan& plan) {
 void list_file_loads(const mesh::BodyMesh& body, Plan& plan) {
   if (!body.forces.empty()) plan.parts_in.push_back(fmt::format("load: forces of the file at {} nodes", body.forces.size()));
   if (!body.pressures.empty()) plan.parts_in.push_back("load: pressures of the file, following the surface");
+  if (!body.held_along.empty())
+    plan.parts_in.push_back(fmt::format("support: nodes held by the file along {} directions of their own", body.held_along.size()));
   if (!body.held.empty()) plan.parts_in.push_back(fmt::format("support: {} components of nodes held by the file", body.held.size()));
 }
 

@@ -182,10 +182,15 @@ void fill_reactions(const Scene& scene, const State& state, const std::vector<me
     }
     note(table.holders()[h].name, sum);
   }
-  for (const Supports::TiltedCut& cut : scene.supports().tilted_cuts()) {
+  for (const Supports::Oblique& lines : scene.supports().oblique()) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const int first : cut.first) answer(first, residual.segment<3>(first), sum);
-    note(cut.name, sum);
+    for (const int first : lines.first) {
+      Eigen::Vector3d force = residual.segment<3>(first);
+      for (int c = 0; c < 3; ++c)
+        if (table.prescribed(first + c)) force[c] = 0.0;
+      answer(first, force, sum);
+    }
+    note(lines.name, sum);
   }
   for (const mesh::GarmentMesh& garment : garments) {
     std::set<int> seen;

@@ -74,13 +74,16 @@ Row turns(const Eigen::Vector3d& about) {
 }
 
 // Sum of row row^T over all that holds the part.
-Eigen::Matrix<double, 6, 6> holds(const FreePart& part, const mesh::BodyMesh& mesh, const std::set<NodeComponent>& held) {
+Eigen::Matrix<double, 6, 6> holds(const FreePart& part, const mesh::BodyMesh& mesh, const std::set<NodeComponent>& held,
+                                  const std::vector<NodeLine>& lines) {
   Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
   const auto add = [&](const Row& row) { sum += row * row.transpose(); };
   for (const int node : part.nodes)
     for (int c = 0; c < 3; ++c)
       if (held.contains({node, c})) add(moves(part, mesh.nodes[node], Eigen::Vector3d::Unit(c)));
   const std::set<int> mine(part.nodes.begin(), part.nodes.end());
+  for (const NodeLine& line : lines)
+    if (mine.contains(line.node)) add(moves(part, mesh.nodes[line.node], line.along));
   for (const mesh::ShellTriangle& triangle : mesh.shell) {
     if (!mine.contains(triangle.nodes[0]) || triangle.foundation == 0.0) continue;
     const Eigen::Vector3d &a = mesh.nodes[triangle.nodes[0]], &b = mesh.nodes[triangle.nodes[1]], &c = mesh.nodes[triangle.nodes[2]];
@@ -139,10 +142,10 @@ std::string directions(const Eigen::Matrix3Xd& span) {
 
 }  // namespace
 
-std::vector<FreePart> free_parts(const mesh::BodyMesh& mesh, const std::set<NodeComponent>& held) {
+std::vector<FreePart> free_parts(const mesh::BodyMesh& mesh, const std::set<NodeComponent>& held, const std::vector<NodeLine>& lines) {
   std::vector<FreePart> parts = connected_parts(mesh), list;
   for (FreePart& part : parts) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(holds(part, mesh, held));
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(holds(part, mesh, held, lines));
     const double bound = none * std::max(1.0, eigen.eigenvalues()[5]);
     const int free = static_cast<int>((eigen.eigenvalues().array() <= bound).count());
     if (free == 0) continue;
@@ -162,10 +165,10 @@ std::string motions_text(const FreePart& part) {
   return fmt::format("{}", fmt::join(texts, " and "));
 }
 
-std::vector<NodeComponent> determinate_supports(const FreePart& part, const mesh::BodyMesh& mesh) {
-  Eigen::MatrixXd rows(3 * part.nodes.size(), part.motions.cols());
+std::vector<NodeComponent> determinate_supports(const FreePart& part, const mesh::BodyMesh& mesh, const std::set<int>& without) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3 * part.nodes.size(), part.motions.cols());
   for (std::size_t i = 0; i < part.nodes.size(); ++i)
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3 && !without.contains(part.nodes[i]); ++c)
       rows.row(3 * i + c) = moves(part, mesh.nodes[part.nodes[i]], Eigen::Vector3d::Unit(c)).transpose() * part.motions;
   std::vector<NodeComponent> chosen;
   for (Eigen::Index k = 0; k < part.motions.cols(); ++k) {

@@ -45,7 +45,9 @@ Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout&
   if (body_.count == 0 || !description.body) return;
   hold_limb(*description.body, description.support, body);
   hold(body.held, description.body->where, body);
+  hold_along(body.held_along, description.body->where);
   for (const auto& spec : description.support) hold(spec, body);
+  resolve_lines(body);
   if (!held_by_garment(model)) hold_free_motions(body);
 }
 
@@ -55,8 +57,12 @@ void Supports::prescribe(int node, int component, int holder, const Motion& moti
 }
 
 void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body) {
-  const auto said = [&](const std::string& surface, int c) {  // by a support of the case, whose word counts then
-    return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.on == surface && std::array{s.x, s.y, s.z}[c]; });
+  const auto same = [&](const std::string& one, const std::string& other) {  // a surface may have two names
+    const mesh::Surface *a = body.surface(one), *b = body.surface(other);
+    return one == other || (a && b && a->nodes == b->nodes);
+  };
+  const std::function<bool(const std::string&, int)> said = [&](const std::string& surface, int c) {  // by a support of the case, whose word counts then
+    return std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return std::array{s.x, s.y, s.z}[c] && same(s.on, surface); });
   };
   const auto fix = [&](const std::string& name, const std::string& surface, const std::vector<int>& nodes, int first) {
     const int holder = table_.add({name, spec.where});
@@ -67,38 +73,47 @@ void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::S
   bone_.insert(body.bone_nodes.begin(), body.bone_nodes.end());
   fix("bone", "bone", body.bone_nodes, 0);
   if (spec.kind == input::BodyKind::imported || spec.ends == input::Ends::free) return;
-  for (const char* surface : {"lower", "upper"})
-    if (const auto* cut = body.surface(surface)) fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == input::Ends::fixed ? 0 : 2);
+  if (!spec.scan || spec.scan->cuts.empty())
+    for (const char* surface : {"lower", "upper"})
+      if (const auto* cut = body.surface(surface)) fix(std::string(surface) + " cut", surface, cut->nodes, spec.ends == input::Ends::fixed ? 0 : 2);
   if (!spec.scan) return;
   for (const input::NamedCut& cut : spec.scan->cuts) {
     const mesh::Surface* surface = body.surface(cut.name);
     if (!surface) continue;
     if (spec.ends == input::Ends::fixed) fix("cut \"" + cut.name + "\"", cut.name, surface->nodes, 0);
-    else slide(cut.name, *surface, supports, body);
+    else slide(cut.name, *surface, said, body);
   }
 }
 
-/// Nodes stay in the plane of a cut. Across an axis that is a component; in a tilted plane the component nearest to its normal follows the two others.
-void Supports::slide(const std::string& name, const mesh::Surface& cut, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body) {
-  if (std::any_of(supports.begin(), supports.end(), [&](const auto& s) { return s.on == name && (s.x || s.y || s.z); })) return;
+/// Nodes stay in the plane of a cut. Across an axis that is a component; in a tilted plane they keep their place along its normal.
+void Supports::slide(const std::string& name, const mesh::Surface& cut, const std::function<bool(const std::string&, int)>& said, const mesh::BodyMesh& body) {
   const Eigen::Vector3d normal = plane_normal(cut, body);
   int across = 0;
-  const double most = normal.cwiseAbs().maxCoeff(&across);
-  if (most > 1.0 - 1e-9) {
-    const int holder = table_.add({"cut \"" + name + "\""});
-    for (const int node : cut.nodes)
-      if (!bone_.contains(node)) prescribe(node, across, holder, {}, body);
-    return;
-  }
-  TiltedCut& tilted = tilted_.emplace_back(TiltedCut{"cut \"" + name + "\"", {}});
+  const bool along_axis = normal.cwiseAbs().maxCoeff(&across) > 1.0 - 1e-9;
+  if (along_axis ? said(name, across) : said(name, 0) || said(name, 1) || said(name, 2)) return;
+  const int holder = table_.add({"cut \"" + name + "\""});
   for (const int node : cut.nodes) {
     if (bone_.contains(node)) continue;
-    tilted.first.push_back(body_(node, 0));
-    std::vector<Follow> others;
-    for (const int c : {(across + 1) % 3, (across + 2) % 3})
-      if (normal[c] != 0.0) others.push_back({body_(node, c), -normal[c] / normal[across]});
-    table_.bind(body_(node, across), others);
+    if (along_axis) prescribe(node, across, holder, {}, body);
+    else lines_[node].push_back({holder, normal, 0.0});
   }
+}
+
+void Supports::hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where) {
+  if (held.empty()) return;
+  const int holder = table_.add({"supports of the file", where});
+  for (const mesh::HeldAlong& one : held) lines_[one.node].push_back({holder, one.direction, one.displacement});
+}
+
+/// When all else is prescribed.
+void Supports::resolve_lines(const mesh::BodyMesh& body) {
+  std::map<int, std::vector<int>> of_holder;
+  for (const auto& [node, lines] : lines_) {
+    const int number = body.node_numbers.empty() ? node + 1 : body.node_numbers[node];
+    table_.hold_along(body_(node, 0), lines, body.nodes[node], number);
+    of_holder[lines.front().holder].push_back(body_(node, 0));
+  }
+  for (const auto& [holder, first] : of_holder) oblique_.push_back({table_.holders()[holder].name, first});
 }
 
 void Supports::hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body) {
@@ -123,10 +138,16 @@ void Supports::hold(const input::SupportSpec& spec, const mesh::BodyMesh& body) 
 void Supports::hold_free_motions(const mesh::BodyMesh& body) {
   std::set<NodeComponent> held;
   for (const int entry : table_.prescribed_entries()) held.emplace((entry - body_.first) / 3, (entry - body_.first) % 3);
-  free_ = solver::free_parts(body, held);
+  std::vector<NodeLine> lines;
+  std::set<int> with_lines;
+  for (const auto& [node, own] : lines_) {
+    with_lines.insert(node);
+    for (const Line& line : own) lines.push_back({node, line.direction});
+  }
+  free_ = solver::free_parts(body, held, lines);
   for (const FreePart& part : free_) {
     const int holder = table_.add({"free motions of " + part.name});
-    for (const auto& [node, component] : determinate_supports(part, body)) {
+    for (const auto& [node, component] : determinate_supports(part, body, with_lines)) {
       prescribe(node, component, holder, {}, body);
       free_entries_.push_back(body_(node, component));
     }

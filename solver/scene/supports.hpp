@@ -1,6 +1,8 @@
 // What holds or moves the body: rigid bone, cut planes and the supports of the case, with their displacements.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,8 +19,8 @@ namespace snug::solver {
 /// The surface that a load or support of the case names. Throws input::InputError with the names that there are.
 const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where);
 
-/// The prescribed entries of the body and where they stand at a load: "bone", "lower cut", "upper cut", cuts by their names, what the file holds, the
-/// supports of the case by their surfaces. What bone and cuts hold by themselves gives way to a support
+/// The prescribed entries of the body and where they stand at a load: "bone", "lower cut", "upper cut" where they have no names in the case, else cuts by
+/// their names, what the file holds, the supports of the case by their surfaces. What bone and cuts hold by themselves gives way to a support
 /// of the case on the same surface. Nodes of the rigid bone are the bone's: other surfaces that end there leave them to it. Where several hold a component alike they bear the same of its force; where they do not,
 /// the constructor throws input::InputError (constraint_table.hpp). Parts of the body that these leave free to move as a whole are
 /// held, too ("free motions of the body"), by as many components as it takes: `check_balance` says whether nothing has to be borne
@@ -35,21 +37,24 @@ class Supports {
   Eigen::VectorXd gap(const State& state) const { return table_.gap(state.values, state.load); }
   /// The parts that only such supports keep from moving.
   const std::vector<FreePart>& free_parts() const { return free_; }
-  /// Cuts whose nodes slide in a tilted plane: the whole residual of such a node (its x entry) is what the plane answers.
-  struct TiltedCut {
+  /// What holds nodes along lines of their own: cuts in tilted planes, oblique supports of the file. The residual of such a node (its x entry), but for
+  /// components that are prescribed, is what the line answers; where several meet at a node it is the first one's.
+  struct Oblique {
     std::string name;
     std::vector<int> first;
   };
-  const std::vector<TiltedCut>& tilted_cuts() const { return tilted_; }
+  const std::vector<Oblique>& oblique() const { return oblique_; }
   /// Entries that hold them.
   const std::vector<int>& free_entries() const { return free_entries_; }
 
  private:
   void prescribe(int node, int component, int holder, const Motion& motion, const mesh::BodyMesh& body);
   void hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body);
-  void slide(const std::string& name, const mesh::Surface& cut, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body);
+  void slide(const std::string& name, const mesh::Surface& cut, const std::function<bool(const std::string&, int)>& said, const mesh::BodyMesh& body);
   void hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body);
   void hold(const input::SupportSpec& spec, const mesh::BodyMesh& body);
+  void hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where);
+  void resolve_lines(const mesh::BodyMesh& body);
   void hold_free_motions(const mesh::BodyMesh& body);
 
   Field body_;
@@ -57,7 +62,8 @@ class Supports {
   ConstraintTable table_{0};
   std::vector<FreePart> free_;
   std::vector<int> free_entries_;
-  std::vector<TiltedCut> tilted_;
+  std::map<int, std::vector<Line>> lines_;  ///< by node
+  std::vector<Oblique> oblique_;
 };
 
 /// Parts of the body that no support of the case holds can be in equilibrium only under forces (N, one a node of the body)
