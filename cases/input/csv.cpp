@@ -45,6 +45,9 @@ void add_row(Csv& csv, Csv::Row row, Diagnostics& diagnostics) {
   if (row.cells.size() > 1 && std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); })) return;
   drop_empty_end(row, csv.columns.size());
   if (row.cells.size() == csv.columns.size()) return csv.rows.push_back(std::move(row));
+  if (csv.separator == '\0')
+    return diagnostics.error({csv.file, row.line, 1}, fmt::format("{} cells where the head has {} columns", row.cells.size(), csv.columns.size()),
+                             "give every column a head, and keep what is beside the table on another sheet");
   const char* separator = csv.separator == ';' ? "semicolons" : csv.separator == '\t' ? "tabs" : "commas";
   diagnostics.error({csv.file, row.line, 1}, fmt::format("{} cells where the head has {} columns", row.cells.size(), csv.columns.size()),
                     fmt::format("give one cell a column, separated by {} as the head is{}", separator,
@@ -133,7 +136,7 @@ Csv finished(Csv csv, Diagnostics& diagnostics) {
 
 /// Columns as the sheet counts them; rows end where the sheet has no more cells.
 Csv of_sheet(std::vector<SheetRow> sheet, Csv csv, Diagnostics& diagnostics) {
-  csv.separator = '\t';
+  csv.separator = '\0';
   for (SheetRow& from : sheet) {
     Csv::Row row{.line = from.number, .cells = {}, .columns = {}};
     for (std::string& cell : from.cells) row.cells.push_back(trimmed(cell)), row.columns.push_back(static_cast<int>(row.cells.size()));

@@ -24,7 +24,7 @@ struct Csv {
     std::vector<int> columns;        ///< where each cell begins, from 1
   };
   std::string file;  ///< as shown in errors
-  char separator = ',';
+  char separator = ',';  ///< none ('\0') of a workbook
   bool decimal_comma = false;
   std::vector<Column> columns;
   std::vector<Row> rows;

@@ -42,7 +42,8 @@ class Parts {
     const std::unique_ptr<zip_file_t, Discard> part(zip_fopen(archive_.get(), name.c_str(), ZIP_FL_NOCASE));
     if (!part) return std::nullopt;
     std::string text(stat.size, '\0');
-    if (zip_fread(part.get(), text.data(), stat.size) != static_cast<zip_int64_t>(stat.size)) return std::nullopt;
+    char more = 0;  // reading on to the end checks the sum
+    if (zip_fread(part.get(), text.data(), stat.size) != static_cast<zip_int64_t>(stat.size) || zip_fread(part.get(), &more, 1) != 0) return std::nullopt;
     return text;
   }
 

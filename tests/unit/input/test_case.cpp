@@ -143,6 +143,17 @@ TEST_F(CaseDirectory, PartsThatDoNotFitAreRefused) {
   EXPECT_TRUE(has(errors_of(good_ + "[comfort]\ncurves = \"wear trial 2002\"\n"), "14:", "no locations"));
 }
 
+// Of a mesh without load steps none is chosen, and steps count from 1.
+TEST_F(CaseDirectory, LoadStepsAreThoseOfModelFiles) {
+  for (const char* name : {"m.msh", "m.inp", "m.feb"}) write(name, "x");
+  const auto with = [&](const std::string& rest) { return errors_of("title = \"t\"\n[body]\nkind = \"imported\"\n" + rest + "\n[load]\ngravity = [\"0 m/s2\", \"0 m/s2\", \"-9.81 m/s2\"]\n"); };
+  EXPECT_TRUE(has(with("mesh = \"m.msh\"\nload_step = 2"), "5:", "load_step does not apply to a gmsh file"));
+  EXPECT_TRUE(with("mesh = \"m.inp\"\nload_step = 2").empty());
+  EXPECT_TRUE(with("mesh = \"m.feb\"\nload_step = 12").empty());
+  EXPECT_TRUE(has(with("mesh = \"m.inp\"\nload_step = 0"), "5:", "load_step"));
+  EXPECT_TRUE(has(with("mesh = \"m.inp\"\nload_step = 1.5"), "5:", "load_step"));
+}
+
 TEST_F(CaseDirectory, LayersMustBeInOrder) {
   // Bone first, skin last, exactly one solid layer that takes the rest.
   const auto layers = [&](const std::string& list) {

@@ -98,6 +98,12 @@ TEST(Spreadsheet, FormulasWithoutAValueAndErrorsAreRefusedWithTheirCell) {
   EXPECT_THAT(text, HasSubstr("the text of AB4 is missing"));
 }
 
+TEST(Spreadsheet, WhatStandsBesideTheTableIsSaidWithItsRow) {
+  const Read sheet = read(workbook(head + "<row r=\"3\"><c r=\"A3\"><v>1</v></c></row><row r=\"4\"><c r=\"E4\"><v>7</v></c></row>"));
+  EXPECT_EQ(faults(sheet), "5 cells where the head has 3 columns | give every column a head, and keep what is beside the table on another sheet\n");
+  EXPECT_EQ(sheet.diagnostics.errors()[0].where.line, 4);
+}
+
 TEST(Spreadsheet, WhatIsNoSuchWorkbookIsRefused) {
   const std::string whole = workbook(head);
   EXPECT_THAT(faults(read(zip_of({{"content.xml", "<office/>"}, {"mimetype", "application/vnd.oasis.opendocument.spreadsheet"}}))), HasSubstr("nor an .xlsx workbook | save its sheet as .xlsx"));
@@ -105,7 +111,7 @@ TEST(Spreadsheet, WhatIsNoSuchWorkbookIsRefused) {
   EXPECT_THAT(faults(read("\xD0\xCF\x11\xE0old")), HasSubstr("an old spreadsheet program, or one with a password"));
   EXPECT_THAT(faults(read(zip_of({{"xl/workbook.xml", "<workbook><sheets/></workbook>"}}))), HasSubstr("the workbook has no sheet"));
   std::string damaged = whole;
-  damaged[whole.find("sheetData") + 2] ^= 1;  // its checksum does not fit
+  damaged[whole.rfind("sheetData") + 2] ^= 1;  // its checksum does not fit
   EXPECT_THAT(faults(read(damaged)), HasSubstr("cannot be read"));
   EXPECT_THAT(faults(read(workbook(""))), HasSubstr("the table has no rows"));
 }
