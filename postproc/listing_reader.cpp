@@ -260,6 +260,10 @@ class Parser {
       if (next == line.npos) return true;
       line.remove_prefix(next);
       const ListingNumber number = scan_number(line);
+      if (number.length == 0 && trimmed(line) == "L") {  // CalculiX marks nodes with a *TRANSFORM so
+        error(line, "the values of the node are along the axes of its own frame", "print them in the global one: *NODE PRINT, GLOBAL=YES, or take the .frd file");
+        return false;
+      }
       if (number.length == 0) {
         error(line,
               fmt::format("\"{}\" is no number", line.substr(0, std::min<std::size_t>(line.find_first_of(blanks), 20))),

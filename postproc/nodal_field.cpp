@@ -103,9 +103,10 @@ class Gather {
       if (table.load_step > 0) steps.insert(step_of(table));
     const auto text = [](const std::pair<int, int>& step) { return fmt::format("load step {} substep {}", step.first, step.second); };
     if (options_.load_step && !steps.empty() && last_step_.first != *options_.load_step)
-      throw input::InputError({"--load-step", 0, 0}, fmt::format("there is no load step {}", *options_.load_step), "the last one is " + text(*steps.rbegin()));
+      throw input::InputError({"the listing", 0, 0}, fmt::format("there is no load step {} in it", *options_.load_step),
+                              "the last one is " + text(*steps.rbegin()) + ": --load-step of compare, load_step in [reference]");
     if (steps.size() > 1)
-      notes_.push_back(fmt::format("of {} load steps and substeps, {} is taken{}", steps.size(), text(last_step_), options_.load_step ? "" : "; --load-step takes another"));
+      notes_.push_back(fmt::format("of {} load steps and substeps, {} is taken{}", steps.size(), text(last_step_), options_.load_step ? "" : "; --load-step (load_step in [reference]) takes another"));
   }
 
   /// Components of a cylindrical frame are no Cartesian ones; sums, principal and equivalent values are the same in all frames.

@@ -80,7 +80,7 @@ Fabric with_name(Fabric fabric, const Entry& entry) {
 }  // namespace
 
 Fabric find_fabric(const input::MaterialEntry& asked, input::FabricBranch branch) {
-  if (const std::string ending = std::filesystem::path(asked.name).extension().string(); ending == ".csv" || ending == ".txt" || ending == ".tsv")
+  if (const std::string ending = std::filesystem::path(asked.name).extension().string(); ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".xlsx")
     throw input::InputError(asked.where, "\"" + asked.name + "\" is a file, and no fabric is called so",
                             "write the curves of a strip test as fabric = { law = \"curve\", warp = \"" + asked.name +
                                 "\", weft = \"...\", width = \"50 mm\", shear = \"...\" }");

@@ -201,6 +201,7 @@ TEST(ListingReader, WrongRowsAreReportedAtTheirPlace) {
             "some.lis:2:1: error: node 1 has 1 values w");
   EXPECT_EQ(error_of("       1 0.1 0.2 0.3\n").substr(0, 35), "some.lis:2:9: error: node 1 has 3 v");
   EXPECT_EQ(error_of("       1 0.1 0.2x\n").substr(0, 41), "some.lis:2:17: error: \"x\" is no number; g");
+  EXPECT_NE(error_of("       1 0.1 0.2 L\n").find("some.lis:2:18: error: the values of the node are along the axes of its own frame"), std::string::npos);
   EXPECT_EQ(error_of(" 0.1 0.2\n").substr(0, 42), "some.lis:2:2: error: values without a node");
   EXPECT_EQ(error_of("       1 0.1 0.2\nsome text\n       2 0.1 0.2\n").substr(0, 35),
             "some.lis:4:8: error: a row of value");
