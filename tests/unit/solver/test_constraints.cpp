@@ -156,7 +156,7 @@ TEST(ConstraintTable, ALineInSpaceHoldsAsAnAxisDoes) {
     const Eigen::Vector3d pull(4000.0, 500.0, 0.0), turned = turn * pull;  // Pa
     one.traction("right", pull.x(), pull.y(), pull.z()), other.traction("right", turned.x(), turned.y(), turned.z());
     const BlockAnswer a = solve(one), b = solve(other);
-    ASSERT_EQ(b.result.status, postproc::Status::converged);
+    ASSERT_TRUE(a.path.complete && b.path.complete) << b.path.message;
     const auto &u = a.result.body.fields[postproc::field::displacement], &v = b.result.body.fields[postproc::field::displacement];
     for (std::size_t n = 0; n < u.size(); ++n) EXPECT_LE((v[n] - turn * u[n]).norm(), 1e-9 * 4e-3) << n;
     EXPECT_LE(b.result.balance.force_error.norm(), 1e-9);
