@@ -200,6 +200,12 @@ void SparseScatter::add_three_rows(int row, std::span<const Run> runs, const int
 void SparseScatter::add_condensed(int group_index, int element, std::span<const double> values) {
   const Group& group = groups_[group_index];
   if (group.size[element] == 0) return;
+  std::vector<double> folded;
+  if (!group.fold_offset.empty() && group.fold_offset[element] != group.fold_offset[element + 1]) {
+    folded.assign(values.begin(), values.end());
+    for (std::size_t f = group.fold_offset[element]; f < group.fold_offset[element + 1]; ++f) folded[group.folds[f].to] += group.folds[f].weight * folded[group.folds[f].from];
+    values = folded;
+  }
   for (const Run& to : group.runs_of(element))
     for (int i = 0; to.row >= 0 && i < to.length; ++i) condensed_[to.row + i] += values[to.local + i];
 }

@@ -257,6 +257,7 @@ TEST(SparseScatter, BoundEntriesAreEliminatedAndTheMatrixStaysSymmetric) {
     m = (m + m.transpose()).eval();
     const Eigen::VectorXd r = random_vector(n, 1.0, e);
     scatter.add(0, e, {r.data(), n}, {m.data(), n * n});
+    scatter.add_condensed(0, static_cast<int>(e), {r.data(), n});
     for (std::size_t i = 0; i < n; ++i) {
       f[entries[i]] += r[i];
       for (std::size_t j = 0; j < n; ++j) K(entries[i], entries[j]) += m(i, j);
@@ -265,6 +266,7 @@ TEST(SparseScatter, BoundEntriesAreEliminatedAndTheMatrixStaysSymmetric) {
   EXPECT_LE((dense(scatter, scatter.rows()) - C.transpose() * K * C).norm(), 1e-14 * K.norm());
   EXPECT_LE((dense(scatter, scatter.rows()) - dense(scatter, scatter.rows()).transpose()).norm(), 1e-15 * K.norm());
   EXPECT_LE((scatter.residual() - C.transpose() * f).norm(), 1e-14 * f.norm());
+  EXPECT_LE((scatter.condensed() - C.transpose() * f).norm(), 1e-14 * f.norm());  // what cells eliminate acts on the same entries
   Eigen::VectorXd step = C * random_vector(4, 1.0, 3), told = step, folded = f;
   told[2] = 0.0, told[5] = 7.0;  // 7 that it goes by itself
   numbering.spread(told);
