@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -85,50 +87,57 @@ std::map<int, double> ForeignNodes::held(int component) const {
 
 namespace {
 
-/// The line of a node that points most like a direction, the other way round where that is nearer; null where none is within 60 degrees.
+/// What a node's lines say of a direction that they span; nothing of others.
+std::optional<double> along(const std::vector<HeldAlong>& lines, const Eigen::Vector3d& direction) {
+  Eigen::Matrix3Xd span(3, lines.size());
+  Eigen::RowVectorXd displacements(lines.size());
+  for (std::size_t l = 0; l < lines.size(); ++l) span.col(l) = lines[l].direction, displacements[l] = lines[l].displacement;
+  if (lines.empty()) return std::nullopt;
+  const Eigen::VectorXd weights = span.completeOrthogonalDecomposition().solve(direction);
+  if ((span * weights - direction).norm() > 1e-9) return std::nullopt;
+  return displacements * weights;
+}
+
+/// The direction itself where the lines span it, else the line that points most like it; nothing where none is within 60 degrees.
 std::optional<HeldAlong> like(const std::vector<HeldAlong>& lines, const Eigen::Vector3d& direction) {
+  if (const auto displacement = along(lines, direction)) return HeldAlong{-1, direction, *displacement};
   std::optional<HeldAlong> best;
   double nearest = 0.5;
   for (const HeldAlong& line : lines)
     if (const double cosine = line.direction.dot(direction); std::abs(cosine) > nearest) {
       nearest = std::abs(cosine);
-      best = HeldAlong{line.node, cosine > 0.0 ? line.direction : Eigen::Vector3d(-line.direction), cosine > 0.0 ? line.displacement : -line.displacement};
+      const double sign = cosine > 0.0 ? 1.0 : -1.0;
+      best = HeldAlong{-1, sign * line.direction, sign * line.displacement};
     }
   return best;
 }
 
-/// Whether a direction is that of a coordinate axis, of which components tell.
-bool is_axis(const Eigen::Vector3d& direction) { return direction.cwiseAbs().maxCoeff() > 1.0 - 1e-12; }
-
 }  // namespace
 
-/// A node that was added is held along the mean of the lines along which all of its parents are.
+/// A node that was added is held along the mean of the lines along which all of its parents are; the parent with the fewest says which these are.
 void ForeignNodes::add_oblique_supports() {
   if (model_.oblique_supports.empty()) return;
   std::map<int, std::vector<HeldAlong>> lines;
   for (const HeldComponent& held : mesh_.held) lines[held.node].push_back({held.node, Eigen::Vector3d::Unit(held.component), held.displacement});
-  std::map<int, std::vector<HeldAlong>> oblique;
+  const auto add = [&](const HeldAlong& line) { lines[line.node].push_back(line), mesh_.held_along.push_back(line); };
   for (const ModelObliqueSupport& support : model_.oblique_supports)
-    if (has(support.node)) oblique[at(support.node)].push_back({at(support.node), support.direction, spec_.unit * support.value});
-  for (const auto& [node, own] : oblique) lines[node].insert(lines[node].end(), own.begin(), own.end());
+    if (has(support.node)) add({at(support.node), support.direction, spec_.unit * support.value});
   for (std::size_t n = 0; n < parents_.size(); ++n) {
-    if (parents_[n].empty() || !lines.contains(parents_[n].front())) continue;
-    for (const HeldAlong& first : lines.at(parents_[n].front())) {
+    if (parents_[n].empty()) continue;
+    const int fewest = *std::min_element(parents_[n].begin(), parents_[n].end(), [&](int a, int b) { return lines[a].size() < lines[b].size(); });
+    for (const HeldAlong& first : std::vector<HeldAlong>(lines[fewest])) {
       HeldAlong mean{static_cast<int>(n), Eigen::Vector3d::Zero(), 0.0};
       bool all = true;
       for (const int parent : parents_[n]) {
-        const auto found = lines.contains(parent) ? like(lines.at(parent), first.direction) : std::nullopt;
+        const auto found = like(lines[parent], first.direction);
         all = all && found;
         if (!all) break;
         mean.direction += found->direction, mean.displacement += found->displacement / static_cast<double>(parents_[n].size());
       }
-      if (!all) continue;
       mean.direction.normalize();
-      if (is_axis(mean.direction)) continue;
-      lines[static_cast<int>(n)].push_back(mean), oblique[static_cast<int>(n)].push_back(mean);
+      if (all && !along(lines[static_cast<int>(n)], mean.direction)) add(mean);
     }
   }
-  for (const auto& [node, own] : oblique) mesh_.held_along.insert(mesh_.held_along.end(), own.begin(), own.end());
 }
 
 void ForeignNodes::add_supports() {
