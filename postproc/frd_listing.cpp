@@ -63,7 +63,7 @@ class FrdParser {
     if (key == " -5") return component(line);
     const std::string_view head = columns(line, 0, 6);
     if (head == "    2C") begin_places(line);
-    if (head == "    3C") in_rows_ = false;
+    if (head == "    3C") end_block();
     if (columns(line, 0, 10) == "    1PSTEP") substep_ = whole(columns(line, 36, 12), 1), step_ = whole(columns(line, 48, 12), 1);
     if (columns(line, 0, 5) == "  100" && (line.size() < 6 || line[5] == 'C')) set_format(whole(columns(line, 73, 2), 1));
   }
@@ -75,6 +75,7 @@ class FrdParser {
   }
 
   void begin_places(std::string_view line) {
+    end_block();
     set_format(whole(columns(line, 73, 2), 1));
     begin("NODES", {"X", "Y", "Z"}, 3, 0, 0);
   }
@@ -82,7 +83,7 @@ class FrdParser {
   void begin_results(std::string_view line) {
     const std::string_view name = trimmed(columns(line, 5, 8));
     const auto known = blocks().find(name);
-    in_rows_ = false;
+    end_block();
     if (known == blocks().end()) return;
     begin(name == "DISP" ? "NODAL DEGREE OF FREEDOM" : "NODAL STRESS", known->second, 0, step_, substep_);
   }

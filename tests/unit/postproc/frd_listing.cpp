@@ -91,6 +91,8 @@ TEST(FrdListing, WhatIsCutShortOrBinaryIsReported) {
   std::string missing = whole, wrong = whole;
   missing.replace(missing.find("-6.46343E-02 0.00000E+00 0.00000E+00"), 36, "-6.46343E-02 0.00000E+00");
   EXPECT_THAT(faults(missing), HasSubstr("node 2 has fewer values"));
+  for (const char* next : {" -4  STRESS", "    3C", "    2C"})  // a block that does not end before the next one
+    EXPECT_THAT(faults(head + " -1         5 1.00000E+00\n" + next + "\n"), HasSubstr("node 5 has fewer values")) << next;
   wrong.replace(wrong.find("-6.46343E-02"), 12, "-6.46343X-02");
   EXPECT_THAT(faults(wrong), HasSubstr("\"-6.46343X-02\" is no number"));
 }
