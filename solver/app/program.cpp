@@ -28,6 +28,8 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_convert());
   commands.push_back(make_pattern());
   commands.push_back(make_materials());
+  commands.push_back(make_project());
+  commands.push_back(make_library());
   commands.push_back(make_new());
   commands.push_back(make_explain());
   commands.push_back(make_list());

@@ -1,0 +1,77 @@
+#include "solver/app/suggestion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace snug::app {
+
+namespace {
+
+using Pressures = std::map<std::string, double>;
+
+constexpr int most_rounds = 6;
+constexpr double no_pressure = 1e-3;  // Pa, of a garment that hangs free, so that logarithms stay finite
+
+double miss(const std::vector<Target>& targets, const Pressures& pressures) {
+  double squares = 0.0;
+  for (const Target& target : targets) squares += std::pow(pressures.at(target.location) / target.pressure - 1.0, 2);
+  return std::sqrt(squares / static_cast<double>(targets.size()));
+}
+
+double sum(const std::vector<Target>& targets, const Pressures& pressures) {
+  double all = 0.0;
+  for (const Target& target : targets) all += pressures.at(target.location);
+  return all;
+}
+
+/// Pressures between sizes that are known: their logarithms go straight.
+Pressures between(const std::vector<Target>& targets, const std::map<double, Pressures>& known, double size) {
+  auto high = known.upper_bound(size);
+  if (high == known.end()) --high;
+  const auto low = std::prev(high);
+  const double share = (size - low->first) / (high->first - low->first);
+  Pressures pressures;
+  for (const Target& target : targets) {
+    const double a = std::max(low->second.at(target.location), no_pressure), b = std::max(high->second.at(target.location), no_pressure);
+    pressures[target.location] = std::exp((1.0 - share) * std::log(a) + share * std::log(b));
+  }
+  return pressures;
+}
+
+double best_between(const std::vector<Target>& targets, const std::map<double, Pressures>& known) {
+  constexpr int steps = 4000;
+  const double from = known.begin()->first, to = known.rbegin()->first;
+  double best = from, least = -1.0;
+  for (int k = 0; k <= steps; ++k) {
+    const double size = from + (to - from) * k / steps, off = miss(targets, between(targets, known, size));
+    if (least < 0.0 || off < least) best = size, least = off;
+  }
+  return best;
+}
+
+}  // namespace
+
+Proposal best_size(const std::string& fabric, const std::vector<Target>& targets, double from, double to, const Guess& guess) {
+  std::map<double, Pressures> known;
+  for (const double share : {0.0, 0.5, 1.0}) known[from + share * (to - from)] = guess(from + share * (to - from));
+  for (int round = 0; round < most_rounds; ++round) {
+    const double size = best_between(targets, known);
+    const auto near = known.lower_bound(size - 0.5e-3 * size);
+    if (near != known.end() && near->first <= size + 0.5e-3 * size) break;
+    known[size] = guess(size);
+  }
+  const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) { return miss(targets, a.second) < miss(targets, b.second); });
+  constexpr double wider = 1.01;
+  const double before = sum(targets, best->second), after = before > 0.0 ? sum(targets, guess(wider * best->first)) : 0.0;
+  return {.fabric = fabric, .size = best->first, .pressures = best->second, .off = miss(targets, best->second), .per_percent = before > 0.0 ? 100.0 * (after / before - 1.0) : 0.0};
+}
+
+void rank(std::vector<Proposal>& proposals) {
+  const auto grade = [](const Proposal& one) { return std::lround(100.0 * one.off); };
+  std::stable_sort(proposals.begin(), proposals.end(), [&](const Proposal& a, const Proposal& b) {
+    return grade(a) != grade(b) ? grade(a) < grade(b) : std::abs(a.per_percent) < std::abs(b.per_percent);
+  });
+}
+
+}  // namespace snug::app
