@@ -37,7 +37,7 @@ struct ProjectItem {
 /// A run of a project as its page lists it.
 struct ProjectVariant {
   std::string name;                    ///< "run 12"
-  std::vector<std::string> cells;      ///< one a heading
+  std::vector<std::string> cells = {}; ///< one a heading
   std::filesystem::path results = {};  ///< empty: nothing to show beyond the row
   bool chosen = false;
 };
@@ -49,11 +49,11 @@ struct ProjectHeading {
 
 struct ProjectView {
   std::string name;
-  std::vector<ProjectItem> specification;
-  std::vector<ProjectHeading> headings;
-  std::vector<ProjectVariant> variants;
-  std::string why, decided_by;  ///< of the one that is chosen
-  std::string left_out;         ///< what of the variants is not shown, and why
+  std::vector<ProjectItem> specification = {};
+  std::vector<ProjectHeading> headings = {};
+  std::vector<ProjectVariant> variants = {};
+  std::string why = {}, decided_by = {};  ///< of the one that is chosen
+  std::string left_out = {};              ///< what of the variants is not shown, and why
 };
 
 /// The page of a project: its specification, a row a variant, the variants with results side by side as comparison_page has them, the decision.

@@ -47,8 +47,6 @@ std::unique_ptr<Command> make_design();
 std::unique_ptr<Command> make_convert();
 std::unique_ptr<Command> make_pattern();
 std::unique_ptr<Command> make_materials();
-std::unique_ptr<Command> make_project();
-std::unique_ptr<Command> make_library();
 std::unique_ptr<Command> make_new();
 std::unique_ptr<Command> make_explain();
 std::unique_ptr<Command> make_list();

@@ -11,7 +11,7 @@
 #include "postproc/report/page.hpp"
 #include "solver/app/fabric_curves.hpp"
 #include "solver/app/library_command.hpp"
-#include "solver/app/library_file.hpp"
+#include "solver/app/recorded_commands.hpp"
 #include "solver/app/report_files.hpp"
 
 namespace snug::app {

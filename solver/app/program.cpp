@@ -11,6 +11,7 @@
 
 #include "cases/input/diagnostics.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/recorded_commands.hpp"
 
 namespace snug::app {
 

@@ -8,6 +8,7 @@
 #include "solver/app/library_command.hpp"
 #include "solver/app/project_derive.hpp"
 #include "solver/app/project_text.hpp"
+#include "solver/app/recorded_commands.hpp"
 #include "solver/app/report_files.hpp"
 
 namespace snug::app {

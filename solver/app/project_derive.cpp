@@ -36,7 +36,7 @@ bool is_inside(const std::string& name) {
 
 void fill(const fs::path& folder, const RunRecord& run, const std::vector<std::string>& overrides, const materials::Library& library) {
   input::Diagnostics diagnostics;
-  input::Table table = input::table_of(library.file(run.echo).content);
+  input::Table table = input::table_of(library.file(run.echo).content, {"case.echo.toml", 1, 1});  // a place keeps the order
   input::apply_overrides(table, overrides, diagnostics);
   diagnostics.throw_if_any();
   fs::create_directories(folder);
@@ -58,7 +58,7 @@ void derive_case(const RunRecord& run, const fs::path& directory, const std::vec
   const fs::path aside = directory.string() + ".tmp-" + std::to_string(::getpid());
   try {
     fill(aside, run, overrides, library);
-    input::read_case(aside, {.allow_outside = true});  // what --set has made wrong is said now
+    input::read_case(aside, {.overrides = {}, .allow_outside = true});  // what --set has made wrong is said now
     fs::rename(aside, directory);
   } catch (...) {
     fs::remove_all(aside, none);

@@ -76,7 +76,7 @@ std::vector<Difference> differences(const std::vector<RunRecord>& runs) {
   std::vector<std::string> keys;
   for (const RunRecord& run : runs)
     for (const RunValue& one : run.settings)
-      if (std::find(keys.begin(), keys.end(), one.name) == keys.end()) keys.push_back(one.name);
+      if (!one.name.ends_with(".source") && std::find(keys.begin(), keys.end(), one.name) == keys.end()) keys.push_back(one.name);  // a source follows from the name
   std::vector<Difference> found;
   for (const std::string& key : keys) {
     Difference row{key, {}};

@@ -27,6 +27,12 @@ std::string today(const Datum& then, const std::optional<Entity>& now) {
   return as_printed(*datum) == as_printed(then) && datum->source == then.source ? "" : "today " + as_printed(*datum) + (datum->source.empty() ? "" : ", " + datum->source);
 }
 
+/// Where a datum comes from: its own source, else that of all data of its entity.
+std::string source_of(const Datum& datum, const Entity& entity) {
+  const Datum* common = entity.find("source");
+  return datum.source.empty() && common ? common->value : datum.source;
+}
+
 std::string material_rows(const RunRecord& run, const RunMaterial& named, const materials::Library& library) {
   const Entity entity = materials::from_snapshot(library.file(named.snapshot).content);
   const auto now = library.find(named.entity);
@@ -39,7 +45,7 @@ std::string material_rows(const RunRecord& run, const RunMaterial& named, const 
     if (item == "name" || item == "source" || item.starts_with("assumptions")) continue;
     const Datum* datum = entity.find(item);
     rows.push_back({"  " + item, used.value, datum ? as_printed(*datum) : "not of the entity: the law's own, or follows from the others",
-                    datum ? datum->source : "", datum ? today(*datum, now) : ""});
+                    datum && item != "law" ? source_of(*datum, entity) : "", datum ? today(*datum, now) : ""});
   }
   // Texts to the left.
   std::vector<std::size_t> widest(5, 0);

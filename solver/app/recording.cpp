@@ -28,7 +28,8 @@ LibraryFile file_of(const std::string& name, std::string content) {
   return {.hash = materials::sha256(content), .name = "run:" + name, .content = std::move(content)};
 }
 
-/// Calls `visit(path, value)` for every value that is no table, and `visit_table(path, table)` for every table.
+/// Calls `visit(path, entry)` for every value of a table and of those in it. Tables of a list are told apart by their names, else by their numbers; the only
+/// one needs none, as for --set.
 template <class Visit>
 void walk(const input::Table& table, const std::string& path, const Visit& visit) {
   for (const input::Entry& entry : table.entries) {
@@ -39,7 +40,7 @@ void walk(const input::Table& table, const std::string& path, const Visit& visit
     for (std::size_t n = 0; list && n < list->size(); ++n) {
       const input::Table* inner = (*list)[n].table();
       const input::Value* name = inner ? inner->find("name") : nullptr;
-      if (inner) walk(*inner, key + "." + (name && name->text() ? *name->text() : std::to_string(n)), visit);
+      if (inner) walk(*inner, list->size() == 1 ? key : key + "." + (name && name->text() ? *name->text() : std::to_string(n)), visit);
     }
   }
 }
@@ -146,7 +147,7 @@ void Recording::read_inputs(const PreparedCase& prepared, const CaseOptions& opt
 
 /// Files of the case directory that a text of the table names.
 void Recording::name_files(const input::Table& table) {
-  texts_in(input::Value{{}, table}, [&](const std::string& text) {
+  texts_in(input::value_without_place(table), [&](const std::string& text) {
     std::error_code none;
     if (!text.empty() && text.size() < 4096 && text.find('\0') == text.npos && fs::is_regular_file(directory_ / text, none)) keep_file(text);
   });
@@ -182,7 +183,7 @@ std::int64_t Recording::record(const postproc::StoredRun& run, const fs::path& r
     if (value.is_string()) run_.versions.push_back({.name = name, .value = value.get<std::string>()});
   if (run_.status != "failed") run_.results = results_of(run);
   materials::Library library = open_library();
-  run_.settings = flattened(input::table_of(run.echo), library.units());
+  run_.settings = flattened(input::table_of(run.echo, {"case.echo.toml", 1, 1}), library.units());  // a place keeps the order
   for (const materials::RunMaterial& named : named_)
     if (const auto entity = library.find(named.entity)) {
       files_.push_back(file_of(entity->id + ".json", materials::snapshot(*entity)));

@@ -61,11 +61,11 @@ std::vector<std::string> differing(const std::vector<RunRecord>& runs) {
 
 /// The whole key that a user means.
 std::string whole_key(const std::string& asked, const std::vector<RunRecord>& runs) {
-  std::set<std::string> known, meant;
+  std::set<std::string> known, meant;  // known: whole keys and their last parts
   for (const RunRecord& run : runs)
     for (const RunValue& one : run.settings)
       if (one.number) {
-        known.insert(one.name);
+        known.insert(one.name), known.insert(one.name.substr(one.name.rfind('.') + 1));
         if (one.name == asked || one.name.ends_with("." + asked)) meant.insert(one.name);
       }
   if (meant.contains(asked)) return asked;

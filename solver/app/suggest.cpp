@@ -55,9 +55,9 @@ Pressures laplace(const fs::path& directory, CaseOptions options, const std::vec
 
 /// What may be changed of a case: its only garment, or the one of that name.
 struct Wearing {
-  std::string fabric_key, size_key;
+  std::string fabric_key, size_key = {};
   double size = 1.0;       ///< what stands at size_key, in its unit
-  std::string unit;        ///< " m", or empty
+  std::string unit = {};   ///< " m", or empty
   std::string fabric;      ///< as the case names it
   const char* meaning = "";
 };
@@ -182,9 +182,10 @@ class Suggest : public LibraryCommand {
       for (const Target& target : wanted_) {
         const double guess = one.pressures.at(target.location), there = found ? found->at(target.location) : std::nan("");
         rows.push_back({one.fabric, size_text(one.size), target.location, fmt::format("{:.3g}", target.pressure / unit.factor), fmt::format("{:.3g}", guess / unit.factor)});
-        if (!found) rows.back().push_back("did not converge");
-        else rows.back().insert(rows.back().end(), {fmt::format("{:.3g}", there / unit.factor), fmt::format("{:+.1f} %", 100.0 * (guess / there - 1.0)), fmt::format("{:+.1f} %", 100.0 * (there / target.pressure - 1.0))});
-        if (found) squares += std::pow(guess / there - 1.0, 2), count += 1.0;
+        rows.back().push_back(found ? fmt::format("{:.3g}", there / unit.factor) : "did not converge");
+        if (!found) continue;
+        for (const double off : {guess / there, there / target.pressure}) rows.back().push_back(fmt::format("{:+.1f} %", 100.0 * (off - 1.0)));
+        squares += std::pow(guess / there - 1.0, 2), count += 1.0;
       }
     }
     if (rows.size() > 1) fmt::print("verified by running\n{}", aligned(rows));
@@ -214,7 +215,8 @@ class Suggest : public LibraryCommand {
     }
     std::ifstream file(out / "summary.json");
     Pressures pressures;
-    for (const auto& row : nlohmann::json::parse(file).at("locations")) pressures[row.at("location")] = row.at("mean_pressure_Pa").get<double>();
+    const nlohmann::json summary = nlohmann::json::parse(file);
+    for (const auto& row : summary.at("locations")) pressures[row.at("location")] = row.at("mean_pressure_Pa").get<double>();
     return pressures;
   }
 

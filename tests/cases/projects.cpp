@@ -183,7 +183,7 @@ TEST_F(ProjectProgram, ACaseWithoutPressuresIsRecordedToo) {
 TEST_F(ProjectProgram, FabricsThatAreAlike) {
   // The nearest in weight alone is the one with the nearest weight: 215 of N85L15, 220 of P98L2. A copy is at distance 0.
   const std::string near = expect("materials near N85L15 --by weight --most 2", 0, "P98L2");
-  EXPECT_LT(near.find("P98L2"), near.find("0.2")) << near;
+  EXPECT_LT(near.find("P98L2"), near.find("E95C")) << near;
   ASSERT_EQ(snug("materials copy N85L15 'my knit'").status, 0);
   line_of(expect("materials near N85L15 --most 1", 0, "my knit"), {"my knit", "0.000"});
   const std::string groups = expect("materials clusters --by EMT,weight --count 2", 0, "2 groups by EMT, weight");
@@ -217,7 +217,7 @@ TEST_F(ProjectProgram, AResponseIsLearntFromRuns) {
   EXPECT_NEAR(slope, (pressure[420] - pressure[400]) / 0.02, 0.02 * std::abs(slope)) << learnt;
   EXPECT_EQ(learnt, snug("materials regress 'Front thigh' --quadratic --unit Pa --on flat_circumference").text);
   expect("materials regress 'Front thigh' --on flat_circumference,RT --quadratic", 2, "a property is the same in all runs");
-  expect("materials regress 'Front thigh' --on flat_circumferense", 2, "did you mean garment.pattern.flat_circumference");
+  expect("materials regress 'Front thigh' --on flat_circumferense", 2, "did you mean flat_circumference");
   expect("materials regress 'Frnt thigh'", 2, "did you mean Front thigh");
   expect("materials regress comfort --project mien", 2, "did you mean mine?");
 }
