@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace snug::app {
 
@@ -11,7 +12,7 @@ namespace {
 using Pressures = std::map<std::string, double>;
 
 constexpr int most_rounds = 6;
-constexpr double no_pressure = 1e-3;  // Pa, of a garment that hangs free, so that logarithms stay finite
+constexpr double same_size = 0.5e-3, near_enough = 0.01, far_off = 0.05;
 
 double miss(const std::vector<Target>& targets, const Pressures& pressures) {
   double squares = 0.0;
@@ -25,7 +26,7 @@ double sum(const std::vector<Target>& targets, const Pressures& pressures) {
   return all;
 }
 
-/// Pressures between sizes that are known: their logarithms go straight.
+/// Pressures between sizes that are known: their logarithms go straight, or where there is none at one end they themselves.
 Pressures between(const std::vector<Target>& targets, const std::map<double, Pressures>& known, double size) {
   auto high = known.upper_bound(size);
   if (high == known.end()) --high;
@@ -33,8 +34,8 @@ Pressures between(const std::vector<Target>& targets, const std::map<double, Pre
   const double share = (size - low->first) / (high->first - low->first);
   Pressures pressures;
   for (const Target& target : targets) {
-    const double a = std::max(low->second.at(target.location), no_pressure), b = std::max(high->second.at(target.location), no_pressure);
-    pressures[target.location] = std::exp((1.0 - share) * std::log(a) + share * std::log(b));
+    const double a = low->second.at(target.location), b = high->second.at(target.location);
+    pressures[target.location] = a > 0.0 && b > 0.0 ? std::pow(a, 1.0 - share) * std::pow(b, share) : (1.0 - share) * a + share * b;
   }
   return pressures;
 }
@@ -52,16 +53,42 @@ double best_between(const std::vector<Target>& targets, const std::map<double, P
 
 }  // namespace
 
+namespace {
+
+using Known = std::map<double, Pressures>;
+
+Known::const_iterator best_of(const std::vector<Target>& targets, const Known& known) {
+  return std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) { return miss(targets, a.second) < miss(targets, b.second); });
+}
+
+bool has(const Known& known, double size) {
+  const auto near = known.lower_bound((1.0 - same_size) * size);
+  return near != known.end() && near->first <= (1.0 + same_size) * size;
+}
+
+/// In the middle of the sizes on the side of `size` where the targets lie: tighter where its pressures are too small. Nothing at the end of what is known.
+std::optional<double> halved(const std::vector<Target>& targets, const Known& known, double size) {
+  const auto at = known.find(size);
+  double over = 0.0;
+  for (const Target& target : targets) over += at->second.at(target.location) / target.pressure - 1.0;
+  if (over > 0.0 ? std::next(at) == known.end() : at == known.begin()) return std::nullopt;
+  return 0.5 * (size + (over > 0.0 ? std::next(at) : std::prev(at))->first);
+}
+
+}  // namespace
+
 Proposal best_size(const std::string& fabric, const std::vector<Target>& targets, double from, double to, const Guess& guess) {
-  std::map<double, Pressures> known;
+  Known known;
   for (const double share : {0.0, 0.5, 1.0}) known[from + share * (to - from)] = guess(from + share * (to - from));
   for (int round = 0; round < most_rounds; ++round) {
     const double size = best_between(targets, known);
-    const auto near = known.lower_bound(size - 0.5e-3 * size);
-    if (near != known.end() && near->first <= size + 0.5e-3 * size) break;
+    if (has(known, size)) break;
     known[size] = guess(size);
+    if (miss(targets, best_of(targets, known)->second) < near_enough) break;
+    if (miss(targets, known[size]) < far_off) continue;
+    if (const auto middle = halved(targets, known, size); middle && !has(known, *middle)) known[*middle] = guess(*middle);  // where pressures set in, nothing goes straight
   }
-  const auto best = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) { return miss(targets, a.second) < miss(targets, b.second); });
+  const auto best = best_of(targets, known);
   constexpr double wider = 1.01;
   const double before = sum(targets, best->second), after = before > 0.0 ? sum(targets, guess(wider * best->first)) : 0.0;
   return {.fabric = fabric, .size = best->first, .pressures = best->second, .off = miss(targets, best->second), .per_percent = before > 0.0 ? 100.0 * (after / before - 1.0) : 0.0};
