@@ -95,7 +95,7 @@ Proposal best_size(const std::string& fabric, const std::vector<Target>& targets
 }
 
 void rank(std::vector<Proposal>& proposals) {
-  const auto grade = [](const Proposal& one) { return std::lround(100.0 * one.off); };
+  const auto grade = [](const Proposal& one) { return std::floor(100.0 * one.off); };
   std::stable_sort(proposals.begin(), proposals.end(), [&](const Proposal& a, const Proposal& b) {
     return grade(a) != grade(b) ? grade(a) < grade(b) : std::abs(a.per_percent) < std::abs(b.per_percent);
   });
