@@ -60,9 +60,22 @@ struct Wearing {
   std::string unit = {};   ///< " m", or empty
   std::string fabric;      ///< as the case names it
   const char* meaning = "";
+  std::string pattern_file = {};  ///< of a pattern that the case names as a text, in whose place --set puts a table; else empty
 };
 
-Wearing wearing_of(const input::Case& description, const std::string& asked) {
+/// Whether the case can be read with a value in place of another.
+bool takes(const fs::path& directory, CaseOptions options, const std::string& set) {
+  options.overrides.push_back(set);
+  try {
+    options.read(directory);
+    return true;
+  } catch (const input::InputError&) {
+    return false;
+  }
+}
+
+Wearing wearing_of(const fs::path& directory, const CaseOptions& options, const std::string& asked) {
+  const input::Case description = options.read(directory);
   std::vector<std::string> names;
   for (const input::GarmentSpec& garment : description.garments) names.push_back(garment.name);
   const auto found = asked.empty() ? description.garments.begin() : std::find_if(description.garments.begin(), description.garments.end(), [&](const auto& one) { return one.name == asked; });
@@ -73,7 +86,13 @@ Wearing wearing_of(const input::Case& description, const std::string& asked) {
   const input::PatternSpec& pattern = found->pattern;
   Wearing wearing{.fabric_key = prefix + "fabric", .fabric = found->fabric.name};
   if (pattern.kind == input::PatternKind::tube) return wearing.size_key = prefix + "pattern.flat_circumference", wearing.size = pattern.flat_circumference, wearing.unit = " m", wearing.meaning = "circumference as cut", wearing;
-  if (pattern.kind == input::PatternKind::sewn) return wearing.size_key = prefix + "pattern.girth_scale", wearing.size = pattern.girth_scale, wearing.meaning = "widths of the pattern", wearing;
+  if (pattern.kind == input::PatternKind::sewn) {
+    wearing.size_key = prefix + "pattern.girth_scale", wearing.size = pattern.girth_scale, wearing.meaning = "widths of the pattern";
+    if (takes(directory, options, wearing.size_key + "=1")) return wearing;
+    wearing.size_key = prefix + "pattern";
+    wearing.pattern_file = pattern.file.lexically_normal().lexically_relative(description.directory.lexically_normal()).generic_string();
+    return wearing;
+  }
   throw wrong("the circumferences of a graduated tube follow from the pressures that it is made for", "snug design finds them");
 }
 
@@ -109,7 +128,7 @@ class Suggest : public LibraryCommand {
     if (sizes_[0] >= sizes_[1]) throw wrong("sizes from " + fmt::format("{} to {}", sizes_[0], sizes_[1]), "give the smaller one first");
     const PressureUnit unit(unit_);
     const fs::path out = out_.empty() ? fs::path(directory_) / "suggested" : fs::path(out_);
-    wearing_ = wearing_of(options_.read(directory_), garment_);
+    wearing_ = wearing_of(directory_, options_, garment_);
     const std::vector<std::string> fabrics = candidates(library, question_);
     const Pressures as_it_is = laplace(directory_, options_, {});
     check_locations(as_it_is);
@@ -137,7 +156,11 @@ class Suggest : public LibraryCommand {
   }
 
   std::vector<std::string> overrides(const std::string& fabric, double factor) const {
-    return {wearing_.fabric_key + "=\"" + fabric + "\"", wearing_.size_key + "=" + (wearing_.unit.empty() ? "" : "\"") + fmt::format("{:.6g}", factor * wearing_.size) + (wearing_.unit.empty() ? "" : wearing_.unit + "\"")};
+    const std::string size = fmt::format("{:.6g}", factor * wearing_.size);
+    const std::string value = !wearing_.pattern_file.empty() ? "{ file = \"" + wearing_.pattern_file + "\", girth_scale = " + size + " }"
+                              : wearing_.unit.empty()        ? size
+                                                             : "\"" + size + wearing_.unit + "\"";
+    return {wearing_.fabric_key + "=\"" + fabric + "\"", wearing_.size_key + "=" + value};
   }
 
   /// The size of a fabric that comes nearest to the targets; none where the fabric cannot be worn in this case.

@@ -249,5 +249,21 @@ TEST_F(ProjectProgram, ASuggestionIsVerifiedByRunsAndItsErrorTold) {
   expect("materials suggest --for mine --target 'Front thigh = 3 gf/cm2' --among 'weight < 1 g/m2'", 2, "no fabric of the library");
 }
 
+TEST_F(ProjectProgram, ASuggestionIsForPatternsAndForOneOfSeveralGarments) {
+  // Where the case itself is of tier L0 the guess is the run: no error. The widths of a vest that the case names as a text, and the bandage alone of bandage and
+  // stocking; a graduated tube is for snug design.
+  ASSERT_EQ(snug("new top --like vest").status, 0);
+  const std::string vest = expect("materials suggest --for top --tier L0 --target 'Chest = 2 gf/cm2' --among 'id = E95C' --verify 1", 0, "widths of the pattern");
+  line_of(vest.substr(vest.find("verified")), {"E95C", "Chest", "+0.0 %"});
+  ASSERT_EQ(snug("new leg --like sleeve-over-sleeve").status, 0);
+  const std::string target = "materials suggest --for leg --tier L0 --target 'Under the bandage = 9 gf/cm2' --among 'id = C98L2' --verify 1";
+  expect(target, 2, "--garment names one of stocking, bandage");
+  const std::string bandage = expect(target + " --garment bandage", 0, "circumference as cut");
+  line_of(bandage.substr(bandage.find("verified")), {"C98L2", "Under the bandage", "+0.0 %"});
+  line_of(snug("project trace 4 'Under the bandage'").text, {"garment.stocking.fabric = P98L2 of the library"});
+  ASSERT_EQ(snug("new graduated --like stocking").status, 0);
+  expect("materials suggest --for graduated --target 'calf = 2 gf/cm2'", 2, "snug design finds them");
+}
+
 }  // namespace
 }  // namespace snug
