@@ -32,6 +32,16 @@ std::vector<RunRecord> runs_of(const Runs& runs, const std::string& project) {
   return whole;
 }
 
+/// The number of a run; a project may be called by a number, too, which counts where there is no such run.
+std::optional<std::int64_t> run_meant(const Runs& runs, const std::string& text) {
+  const auto number = number_of(text);
+  const auto projects = runs.projects();
+  const bool is_project = std::any_of(projects.begin(), projects.end(), [&](const auto& one) { return one.name == text; });
+  if (!number || !is_project) return number;
+  const auto heads = runs.heads();
+  return std::any_of(heads.begin(), heads.end(), [&](const RunRecord& one) { return one.number == *number; }) ? number : std::nullopt;
+}
+
 std::string decision_text(const materials::Decision& decision) {
   return fmt::format("run {}{}{} ({}, {})", decision.run, decision.why.empty() ? "" : ": ", decision.why, decision.who, minute_of(decision.moment));
 }
@@ -69,7 +79,7 @@ class Show : public LibraryCommand {
   int act(Library& library) override {
     const Runs runs(library);
     const PressureUnit unit(unit_);
-    if (const auto number = number_of(what_)) {
+    if (const auto number = run_meant(runs, what_)) {
       fmt::print("{}", run_text(runs.run(*number), unit));
       return done;
     }

@@ -180,6 +180,25 @@ TEST_F(ProjectProgram, ACaseWithoutPressuresIsRecordedToo) {
   EXPECT_EQ(snug("project show 2").status, 2);
 }
 
+TEST_F(ProjectProgram, ProjectsOfAnyName) {
+  // A year, blanks, quotes, a slash: shown and drawn under their names; a note that no text can hold is a warning.
+  ASSERT_EQ(snug("new 2026 --like thigh-sleeve").status, 0);
+  ASSERT_EQ(snug(std::string("run 2026") + laplace).status, 0);
+  line_of(expect("project show 2026", 0, "converged"), {"1", "converged"});
+  expect("project show 1", 0, "run 1 of project 2026");
+  const std::string name = "\"men's / <b>&'; DROP TABLE run; --\"";
+  ASSERT_EQ(snug(std::string("run 2026") + laplace + "--project " + name).status, 0);
+  line_of(expect("project list", 0, "men's / <b>&'; DROP TABLE run; --"), {"2026", "1"});
+  expect("project show " + name, 0, "converged");
+  expect("project page " + name + " --out page.html", 0, "page.html");
+  const std::string page = content("page.html");
+  EXPECT_NE(page.find("&lt;b&gt;&amp;"), std::string::npos);
+  EXPECT_EQ(page.find("<b>"), std::string::npos) << "a name is text";
+  const Outcome warned = snug(std::string("run 2026") + laplace + "--note $(printf 'a\\001b')");
+  EXPECT_EQ(warned.status, 0);
+  EXPECT_NE(warned.text.find("warning: the run is not recorded"), std::string::npos) << warned.text;
+}
+
 TEST_F(ProjectProgram, FabricsThatAreAlike) {
   // The nearest in weight alone is the one with the nearest weight: 215 of N85L15, 220 of P98L2. A copy is at distance 0.
   const std::string near = expect("materials near N85L15 --by weight --most 2", 0, "P98L2");
