@@ -201,6 +201,12 @@ void check_id(const std::string& id, const input::Location& where, input::Diagno
   check_name("the ID", id, where, diagnostics);
 }
 
+void check_remark(const std::string& what, const std::string& text) {
+  input::Diagnostics diagnostics;
+  check_text(what, text, longest_text, {"library", 0, 0}, diagnostics);
+  diagnostics.throw_if_any();
+}
+
 void check_datum(Datum& datum, UnitBook& units, const input::Location& where, input::Diagnostics& diagnostics) {
   check_name("the item", datum.name, where, diagnostics);
   if (!datum.symbol.empty()) check_text(datum.name + ": the symbol", datum.symbol, longest_name, where, diagnostics);

@@ -70,6 +70,8 @@ std::string quantity_text(const Datum& datum);
 /// Whether names, texts and numbers are fit to be kept; reports what is not at `where`. Names: letters, digits, blanks
 /// and - _ . + / ( ), at most 100 bytes; texts: at most 100,000 bytes of UTF-8 without control characters.
 void check_id(const std::string& id, const input::Location& where, input::Diagnostics& diagnostics);
+/// The same of a text beside the data; throws input::InputError.
+void check_remark(const std::string& what, const std::string& text);
 /// Fills `si` of a value with its unit.
 void check_datum(Datum& datum, UnitBook& units, const input::Location& where, input::Diagnostics& diagnostics);
 

@@ -29,13 +29,7 @@ Entity Stroke::entity(const std::string& id) const { return library_.entity(id);
 void Stroke::put(Entity entity, const std::string& action) { library_.store_->put(std::move(entity), action); }
 void Stroke::remove(const std::string& id) { library_.store_->remove(library_.entity(id), "removed"); }
 
-void Stroke::keep(const LibraryFile& file) {
-  library_.store_->connection.prepare("INSERT OR IGNORE INTO file (hash, name, content) VALUES (?1, ?2, ?3)")
-      .bind(1, file.hash)
-      .bind(2, file.name)
-      .bind_bytes(3, file.content)
-      .run();
-}
+void Stroke::keep(const LibraryFile& file) { library_.store_->keep(file); }
 
 Library::Library(const Settings& settings) : store_(std::make_unique<Store>(settings)) {
   if (settings.shipped) bring_shipped_up_to_date();

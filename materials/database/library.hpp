@@ -91,6 +91,7 @@ class Library {
 
  private:
   friend class Stroke;
+  friend class Runs;
   void bring_shipped_up_to_date();
   std::unique_ptr<Store> store_;
 };

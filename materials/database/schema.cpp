@@ -52,6 +52,54 @@ CREATE TABLE file (
   hash TEXT PRIMARY KEY,
   name TEXT NOT NULL,
   content BLOB NOT NULL) STRICT;
+)sql",
+    // Runs: what was computed of what. run.proof: hash of what lay at run.place when it was recorded. run_value.role: input, version, setting, result.
+    R"sql(
+CREATE TABLE run (
+  number INTEGER PRIMARY KEY AUTOINCREMENT,
+  project TEXT NOT NULL,
+  title TEXT NOT NULL,
+  moment TEXT NOT NULL DEFAULT (strftime('%Y-%m-%dT%H:%M:%fZ', 'now')),
+  who TEXT NOT NULL,
+  directory TEXT NOT NULL,
+  place TEXT NOT NULL,
+  proof TEXT NOT NULL,
+  case_hash TEXT NOT NULL,
+  echo TEXT NOT NULL REFERENCES file(hash),
+  command TEXT NOT NULL,
+  status TEXT NOT NULL,
+  message TEXT,
+  note TEXT,
+  parent INTEGER REFERENCES run(number) ON DELETE SET NULL,
+  seconds REAL NOT NULL) STRICT;
+CREATE INDEX run_by_project ON run(project);
+CREATE INDEX run_by_parent ON run(parent) WHERE parent IS NOT NULL;
+CREATE TABLE run_value (
+  run INTEGER NOT NULL REFERENCES run(number) ON DELETE CASCADE,
+  role TEXT NOT NULL,
+  place INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  value TEXT NOT NULL,
+  unit TEXT,
+  number REAL,
+  PRIMARY KEY (run, role, place)) STRICT, WITHOUT ROWID;
+CREATE TABLE run_material (
+  run INTEGER NOT NULL REFERENCES run(number) ON DELETE CASCADE,
+  part TEXT NOT NULL,
+  entity TEXT NOT NULL,
+  snapshot TEXT NOT NULL REFERENCES file(hash),
+  PRIMARY KEY (run, part)) STRICT, WITHOUT ROWID;
+CREATE TABLE derived (
+  directory TEXT PRIMARY KEY,
+  run INTEGER NOT NULL REFERENCES run(number) ON DELETE CASCADE) STRICT, WITHOUT ROWID;
+CREATE INDEX derived_by_run ON derived(run);
+CREATE TABLE decision (
+  project TEXT PRIMARY KEY,
+  run INTEGER NOT NULL REFERENCES run(number) ON DELETE CASCADE,
+  why TEXT NOT NULL,
+  who TEXT NOT NULL,
+  moment TEXT NOT NULL DEFAULT (strftime('%Y-%m-%dT%H:%M:%fZ', 'now'))) STRICT, WITHOUT ROWID;
+CREATE INDEX decision_by_run ON decision(run);
 )sql"};
 
 int version_of(const Connection& connection) { return static_cast<int>(connection.integer("PRAGMA user_version")); }

@@ -299,4 +299,12 @@ void Store::rename(const Entity& entity, const std::string& id) {
   note_change("renamed to " + id + ", since snug ships one of this ID", entity.id, entity);
 }
 
+void Store::keep(const LibraryFile& file) {
+  connection.prepare("INSERT OR IGNORE INTO file (hash, name, content) VALUES (?1, ?2, ?3)")
+      .bind(1, file.hash)
+      .bind(2, file.name)
+      .bind_bytes(3, file.content)
+      .run();
+}
+
 }  // namespace snug::materials

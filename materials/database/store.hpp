@@ -37,6 +37,8 @@ struct Store {
   void put(Entity entity, const std::string& action);
   void remove(const Entity& entity, const std::string& action);
   void rename(const Entity& entity, const std::string& id);
+  /// A file by its content; one that is there stays.
+  void keep(const LibraryFile& file);
 
  private:
   /// One item has one dimension everywhere: what the usual list says, else what it had at first and as long as somebody

@@ -8,6 +8,10 @@ namespace snug::postproc::report {
 
 std::string_view page_template();
 std::string_view comparison_template();
+std::string_view comparison_sections();  ///< a part of the pages that compare runs
+std::string_view project_template();
+std::string_view library_template();
+std::string_view library_script();
 std::string_view map_template();  ///< a part of the pages: the unrolled map
 std::string_view style();
 std::string_view view_script();

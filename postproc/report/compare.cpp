@@ -177,12 +177,8 @@ Json maps_view(const Runs& runs) {
   return maps;
 }
 
-}  // namespace
-
-std::string comparison_page(const std::vector<fs::path>& outs) try {
-  Runs runs;
-  for (const fs::path& out : outs) runs.push_back(read_shown(out));
-  make_names_distinct(runs);
+/// What the sections of a comparison show.
+Json view_of(const Runs& runs) {
   Json view = {{"count", std::to_string(runs.size())}, {"first", runs.front().name}, {"style", style()}};
   Json names = Json::array(), comforts = Json::array(), warnings = Json::array();
   std::string title;
@@ -204,9 +200,60 @@ std::string comparison_page(const std::vector<fs::path>& outs) try {
   view["locations"] = locations_rows(runs), view["has_locations"] = !view["locations"].empty();
   view["comforts"] = comforts, view["has_comfort"] = !comforts.empty();
   view["maps"] = maps_view(runs), view["has_maps"] = !view["maps"].empty();
-  return fill(comparison_template(), view, {{"map_svg", map_template()}});
+  return view;
+}
+
+std::map<std::string, std::string_view> comparison_parts() {
+  return {{"comparison", comparison_sections()}, {"map_svg", map_template()}};
+}
+
+}  // namespace
+
+std::string comparison_page(const std::vector<fs::path>& outs) try {
+  Runs runs;
+  for (const fs::path& out : outs) runs.push_back(read_shown(out));
+  make_names_distinct(runs);
+  return fill(comparison_template(), view_of(runs), comparison_parts());
 } catch (const Json::exception& error) {
   throw not_as_written(outs.front(), error);
+}
+
+std::string project_page(const ProjectView& project) {
+  Runs runs;
+  std::vector<std::string> unreadable;
+  for (const ProjectVariant& variant : project.variants) {
+    if (variant.results.empty()) continue;
+    try {
+      runs.push_back(read_shown(variant.results));
+      runs.back().name = variant.name;
+    } catch (const input::InputError&) {
+      unreadable.push_back(variant.name);
+    }
+  }
+  Json view = Json::object();
+  try {
+    if (!runs.empty()) view = view_of(runs);
+  } catch (const Json::exception& error) {
+    throw not_as_written(project.variants.front().results, error);
+  }
+  view["has_runs"] = !runs.empty(), view["style"] = style();
+  view["project"] = project.name, view["variants_text"] = fmt::format("{} runs", project.variants.size());
+  Json specification = Json::array(), headings = Json::array(), variants = Json::array();
+  for (const ProjectItem& item : project.specification) specification.push_back({{"name", item.name}, {"value", item.value}, {"source", item.source}});
+  for (std::size_t c = 0; c < project.headings.size(); ++c) headings.push_back({{"name", project.headings[c].name}, {"text", project.headings[c].is_text}});
+  for (const ProjectVariant& variant : project.variants) {
+    Json cells = Json::array();
+    for (std::size_t c = 0; c < variant.cells.size(); ++c) cells.push_back({{"value", variant.cells[c]}, {"text", project.headings.at(c).is_text}});
+    variants.push_back({{"cells", cells}, {"chosen", variant.chosen}});
+    if (variant.chosen) view["decision"] = variant.name;
+  }
+  view["specification"] = specification, view["has_specification"] = !specification.empty();
+  view["headings"] = headings, view["variants"] = variants;
+  view["decided"] = view.contains("decision"), view["why"] = project.why, view["decided_by"] = project.decided_by;
+  std::string left_out = project.left_out;
+  for (const std::string& name : unreadable) left_out += (left_out.empty() ? "" : " ") + name + " cannot be read.";
+  view["left_out"] = left_out;
+  return fill(project_template(), view, comparison_parts());
 }
 
 }  // namespace snug::postproc::report

@@ -7,6 +7,7 @@
 #include "materials/database/evaluation.hpp"
 #include "materials/database/items.hpp"
 #include "materials/database/named.hpp"
+#include "solver/app/learning_commands.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/library_file.hpp"
 #include "solver/app/material_list.hpp"
@@ -201,6 +202,7 @@ std::vector<std::unique_ptr<Command>> library_commands() {
   commands.push_back(std::make_unique<Evaluate>());
   commands.push_back(std::make_unique<Items>());
   add_changing_commands(commands);
+  add_learning_commands(commands);
   commands.push_back(std::make_unique<History>());
   commands.push_back(std::make_unique<CheckLibrary>());
   return commands;

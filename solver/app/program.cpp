@@ -11,6 +11,7 @@
 
 #include "cases/input/diagnostics.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/recorded_commands.hpp"
 
 namespace snug::app {
 
@@ -28,6 +29,8 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_convert());
   commands.push_back(make_pattern());
   commands.push_back(make_materials());
+  commands.push_back(make_project());
+  commands.push_back(make_library());
   commands.push_back(make_new());
   commands.push_back(make_explain());
   commands.push_back(make_list());

@@ -25,6 +25,7 @@
 #include "solver/app/print_plan.hpp"
 #include "solver/app/progress.hpp"
 #include "solver/app/provenance.hpp"
+#include "solver/app/recording.hpp"
 #include "solver/app/regression.hpp"
 #include "solver/app/report_files.hpp"
 #include "solver/app/solver_session.hpp"
@@ -88,6 +89,7 @@ class Run : public Command {
                    "`snug animate` (the path is then walked instead of jumped: slower)")
         ->check(CLI::Range(1, 1000));
     app.add_flag("--resume", resume_, "go on from where a run was stopped or killed, by the checkpoint out.checkpoint beside its results");
+    recording_.declare(app);
     app.add_option("--checkpoint", interval_, "seconds between checkpoints, and before the first, so that short runs write none (60)")
         ->type_name("SECONDS")
         ->check(CLI::Range(0.0, 1e9));
@@ -197,6 +199,8 @@ class Run : public Command {
     }
     if (writes_) warn_of_slow_blas();
     say(plan_text(prepared.description.title, plan) + "\n");
+    std::optional<Recording> recording;
+    if (writes_) recording.emplace(prepared, options_, recording_);
     StateFiles states;
     gave_up_ = false;
     Checkpoint checkpoint(target, interval_);
@@ -221,7 +225,7 @@ class Run : public Command {
     if (!no_report_) report(stored, out);
     out.commit();
     if (!gave_up_) checkpoint.remove();
-    say(final_text(run, evaluation, out.target()) + verdict_);
+    say(final_text(run, evaluation, out.target()) + verdict_ + recording->finish(stored, out.target()));
     if (gave_up_ && checkpoint.there()) say(fmt::format("  to go on            the same command with --resume (from {})\n", checkpoint.file().string()));
     const int status = std::max(status_of(run, directory), regression);
     return run.status != postproc::Status::converged && gave_up_ ? 128 + signal() : status;
@@ -289,6 +293,7 @@ class Run : public Command {
 
   std::vector<std::string> directories_;
   CaseOptions options_;
+  RecordingOptions recording_;
   std::string out_, status_file_;
   int ranks_ = 0, states_ = 0;  // no ranks given: 0
   double interval_ = 60.0;

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "cases/input/csv.hpp"
@@ -10,6 +13,7 @@
 #include "postproc/comfort/curve_library.hpp"
 #include "postproc/comfort/fuzzy_file.hpp"
 #include "postproc/comfort/membership_fit.hpp"
+#include "postproc/comfort/trial_validation.hpp"
 #include "postproc/evaluate.hpp"
 #include "postproc/summary.hpp"
 #include "solver/app/comfort_pages.hpp"
@@ -56,6 +60,32 @@ void fit(const std::string& file, const FitOptions& options) {
   }
 }
 
+/// "1-4,7": the names of garments.
+std::set<std::string> garments_of(const std::string& text) {
+  std::set<std::string> garments;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    int from = 0, to = 0;
+    char end = 0;
+    if (std::sscanf(part.c_str(), "%d-%d%c", &from, &to, &end) == 2 && from <= to && to - from < 10000)
+      for (int n = from; n <= to; ++n) garments.insert(std::to_string(n));
+    else
+      garments.insert(part);
+  }
+  return garments;
+}
+
+void validate(const std::string& file, const std::string& shape, const std::string& train, const std::string& test) {
+  input::Diagnostics diagnostics;
+  const input::Csv table = input::read_csv(file, diagnostics);
+  diagnostics.throw_if_any();
+  const postproc::TrialValidation found = postproc::validate_trial(table, shape, garments_of(train), garments_of(test));
+  fmt::print("curves ({}) of garments {}, ratings of garments {}\n  {:<16} {:>7} {:>8} {:>8}\n", shape, train, test, "location", "ratings", "rms", "largest");
+  for (const postproc::LocationValidation& one : found.locations)
+    fmt::print("  {:<16} {:>7} {:>8.4f} {:>8.4f}{}\n", one.location, one.tested, one.rms, one.largest, one.significant ? "" : "  not significant: the mean is told, and is not in the sum");
+  fmt::print("  {:<16} {:>7} {:>8.4f}\n", "all", found.ratings, found.rms);
+}
+
 class Score : public Command {
  public:
   std::string name() const override { return "score"; }
@@ -76,7 +106,9 @@ class Score : public Command {
     app.add_flag("--fit", fit_,
                  "FILE is a wear trial (location, a pressure, sensation_rating; optional sensation_term, answers): fit "
                  "curves and memberships, write OUT.toml, OUT.fll and OUT.fis");
-    app.add_option("--shape", options_.shape, "--fit: form of the curves")
+    CLI::Option* train = app.add_option("--train", train_, "FILE is a wear trial with a column garment: curves of these garments, 1-4 or A,B, …")->type_name("GARMENTS");
+    app.add_option("--test", test_, "… are tried on the ratings of these")->type_name("GARMENTS")->needs(train);
+    app.add_option("--shape", options_.shape, "--fit, --train: form of the curves")
         ->check(CLI::IsMember({"linear", "piecewise", "logistic"}))
         ->capture_default_str();
     app.add_option("--out", options_.out, "--fit: name of the files written")->capture_default_str();
@@ -86,6 +118,11 @@ class Score : public Command {
   }
 
   int execute() override {
+    if (!train_.empty()) {
+      if (test_.empty()) throw input::InputError({"--train", 0, 0}, "no garments are kept for the test", "name them: --test 5-8");
+      validate(file_, options_.shape, train_, test_);
+      return done;
+    }
     if (fit_) {
       fit(file_, options_);
       return done;
@@ -105,7 +142,7 @@ class Score : public Command {
   }
 
  private:
-  std::string file_, curves_ = "wear trial 2002", fuzzy_;
+  std::string file_, curves_ = "wear trial 2002", fuzzy_, train_, test_;
   std::vector<std::string> thresholds_;
   input::ComfortSpec spec_;
   FitOptions options_;

@@ -4,6 +4,7 @@ usage: report.py SNUG SOURCE FOLDER      the program, the repository, a folder f
 Exit status 77: Chromium or its driver is not installed (scripts/setup --browser).
 """
 import csv
+import os
 import shutil
 import subprocess
 import sys
@@ -33,6 +34,7 @@ class Report(unittest.TestCase):
     def setUpClass(cls):
         cls.out = FOLDER / "thigh"
         shutil.rmtree(cls.out, ignore_errors=True)
+        os.environ["SNUG_RECORD"] = "off"
         subprocess.run([SNUG, "run", SOURCE / "cases/thigh-sleeve", "--quiet", "--out", cls.out, *COARSE], check=True)
         with open(cls.out / "skin.csv", newline="") as table:
             cls.pressure = {int(row["node"]): float(row["pressure [Pa]"]) for row in csv.DictReader(table)}

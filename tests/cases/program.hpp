@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -20,7 +21,12 @@ struct Outcome {
 
 class Program : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
+  /// Nothing reaches the library of whoever tests: it is looked for in the folder, and runs are not recorded.
+  void SetUp() override {
+    std::filesystem::create_directories(folder_);
+    ::setenv("SNUG_RECORD", "off", 1);
+    ::setenv("SNUG_LIBRARY", (folder_ / "library.db").c_str(), 1);
+  }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   /// `before`: variables or a program that starts ours.

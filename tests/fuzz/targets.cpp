@@ -15,6 +15,7 @@
 #include "materials/database/exchange.hpp"
 #include "materials/database/named.hpp"
 #include "materials/database/query.hpp"
+#include "materials/database/runs.hpp"
 #include "materials/database/schema.hpp"
 #include "mesh/body/foreign.hpp"
 #include "mesh/formats/curve_set.hpp"
@@ -266,14 +267,22 @@ std::string library_file() {
     connection.execute("PRAGMA page_size = 512");
     materials::sql::bring_up_to_date(connection);
   }
-  materials::Library({.file = file}).change([](materials::Stroke& stroke) {
-    stroke.put({.kind = materials::Kind::garment, .id = "g"}, "added");
-    stroke.put({.kind = materials::Kind::fabric,
-                .id = "f",
-                .parent = "g",
-                .data = {{.name = "weight", .value = "100", .unit = "g/m2"}, {.name = "hand", .value = "soft"}}},
-               "added");
-  });
+  {
+    materials::Library library({.file = file});
+    library.change([](materials::Stroke& stroke) {
+      stroke.put({.kind = materials::Kind::garment, .id = "g"}, "added");
+      stroke.put({.kind = materials::Kind::fabric,
+                  .id = "f",
+                  .parent = "g",
+                  .data = {{.name = "weight", .value = "100", .unit = "g/m2"}, {.name = "hand", .value = "soft"}}},
+                 "added");
+    });
+    const materials::LibraryFile echo{.hash = "e", .name = "run:case.echo.toml", .content = "title = \"t\""};
+    materials::RunRecord run{.project = "p", .title = "t", .directory = "/p", .place = "/p/out", .proof = "0", .case_hash = "c",
+                             .echo = echo.hash, .command = "snug run p", .status = "converged", .message = {}, .note = {}};
+    run.results = {{.name = "Front thigh", .value = "1", .unit = "Pa", .number = 1.0}};
+    materials::Runs(library).record(run, {echo});
+  }
   const std::string bytes = text_of(file);
   fs::remove(file);
   return bytes;
@@ -293,6 +302,9 @@ void use_library(const fs::path& file, const std::string& bytes) {
   });
   library.undo(true);
   library.undo(true);
+  materials::Runs runs(library);
+  runs.projects();
+  for (const materials::RunRecord& head : runs.heads()) runs.run(head.number), runs.note(head.number, "n"), runs.forget({head.number});
   library.check_file();
 }
 

@@ -67,7 +67,7 @@ def run(scene, program, work, limit, command="run"):
         shutil.rmtree(folder / "out", ignore_errors=True)
     words = [str(program), command, str(folder), *(["--no-report", "--out", str(folder / "out")] if command == "run" else [])]
     process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-                               env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+                               env={**os.environ, "OPENBLAS_NUM_THREADS": "1", "SNUG_RECORD": "off"},
                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit) + 5)))
     text = process.stdout.read()
     _, status, used = os.wait4(process.pid, 0)

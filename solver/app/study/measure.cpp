@@ -39,6 +39,7 @@ std::vector<std::string> command_line(const fs::path& directory, const CaseOptio
                                     fs::absolute(directory).string(),
                                     "--quiet",
                                     "--no-report",
+                                    "--no-record",
                                     "--out",
                                     fs::absolute(out).string()};
   for (const std::string& word : options.words()) words.push_back(word);
