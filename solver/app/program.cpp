@@ -25,6 +25,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_animate());
   commands.push_back(make_study());
   commands.push_back(make_design());
+  commands.push_back(make_size());
   commands.push_back(make_convert());
   commands.push_back(make_pattern());
   commands.push_back(make_materials());
