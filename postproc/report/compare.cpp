@@ -130,7 +130,7 @@ std::string page_of(const Runs& runs, const Comparison& comparison) {
     comfort["name"] = run.name;
     comforts.push_back(comfort);
   }
-  view["names"] = title, view["runs"] = names, view["warnings"] = warnings, view["missing"] = missing_view(comparison);
+  view["names"] = comparison.title.empty() ? title : comparison.title, view["runs"] = names, view["warnings"] = warnings, view["missing"] = missing_view(comparison);
   view["figures"] = compared_figures(runs);
   view["sweep"] = sweep_view(runs, comparison.values, comparison.axis);
   view["several"] = runs.size() > 1;

@@ -35,6 +35,7 @@ struct Comparison {
   };
   std::vector<Run> runs;
   std::vector<Missing> missing;  ///< that were asked for and have no results, with the reason
+  std::string title;             ///< empty: the names of the runs
   std::string axis;              ///< of a sweep: its key with its unit
   std::vector<double> values;    ///< of it, one a run; empty: no numbers were swept
 };

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "postproc/report/compare_rows.hpp"
+#include "postproc/report/scale.hpp"
 #include "postproc/report/template.hpp"
 #include "postproc/report/view.hpp"
 #include "postproc/units.hpp"
@@ -19,23 +20,9 @@ constexpr double width = 620.0, height = 260.0;  // px of the drawing without it
 // Okabe and Ito's colours, which people who confuse colours tell apart; those that white paper carries.
 constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#7a5c00", "#000000"};
 
-/// A round step that divides a range into about five.
-double round_step(double range) {
-  const double rough = range / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (rough <= factor * power) return factor * power;
-  return 10.0 * power;
-}
-
 struct Axis {
   double low, high;
   double share(double value) const { return (value - low) / (high - low); }
-  std::vector<double> ticks() const {
-    std::vector<double> values;
-    const double step = round_step(high - low);
-    for (double value = std::ceil(low / step - 1e-9) * step; value <= high + 1e-9 * step; value += step) values.push_back(std::abs(value) < 1e-9 * step ? 0.0 : value);
-    return values;
-  }
 };
 
 struct Series {
@@ -73,8 +60,8 @@ Json sweep_view(const Runs& runs, const std::vector<double>& values, const std::
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   Json columns = Json::array(), levels = Json::array(), lines = Json::array();
-  for (const double value : x.ticks()) columns.push_back({{"x", px(width * x.share(value))}, {"text", fmt::format("{:g}", value)}});
-  for (const double value : y.ticks()) levels.push_back({{"y", px(height * (1.0 - y.share(value)))}, {"text", fmt::format("{:g}", value)}});
+  for (const double value : ticks(x.low, x.high, 6)) columns.push_back({{"x", px(width * x.share(value))}, {"text", fmt::format("{:g}", value)}});
+  for (const double value : ticks(y.low, y.high, 5)) levels.push_back({{"y", px(height * (1.0 - y.share(value)))}, {"text", fmt::format("{:g}", value)}});
   for (std::size_t s = 0; s < series.size(); ++s) {
     Json dots = Json::array();
     std::string points;

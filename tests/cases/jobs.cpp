@@ -32,7 +32,7 @@ class JobsProgram : public Program {
           "layers = [{ name = \"bone\", material = \"rigid\" }, { name = \"tissue\", material = { law = \"neo-Hooke\", shear_modulus = \"8 kPa\", poisson_ratio = 0.45 } }]\n"
           "cells_around = 12\ncells_along = 8\nends = \"sliding\"\n"
           "[[body.locations]]\nname = \"Wrist\"\nfrom_angle = \"0 deg\"\nto_angle = \"360 deg\"\nfrom_height = \"2 in\"\nto_height = \"3 in\"\n"
-          "[[body.locations]]\nname = \"Inner\"\nfrom_angle = \"300 deg\"\nto_angle = \"60 deg\"\nfrom_height = \"4 in\"\nto_height = \"6 in\"\n"
+          "[[body.locations]]\nname = \"Inner\"\nfrom_angle = \"-60 deg\"\nto_angle = \"60 deg\"\nfrom_height = \"4 in\"\nto_height = \"6 in\"\n"
           "[garment]\npattern = { kind = \"tube\", flat_circumference = \"180 mm\", length = \"140 mm\" }   # as cut\n"
           "fabric = { name = \"own\", law = \"linear\", warp = \"250 N/m\", weft = \"300 N/m\", shear = \"80 N/m\", poisson = 0.2 }\nposition = \"30 mm\"\n"
           "[contact]\n" + more);
@@ -73,7 +73,8 @@ TEST_F(JobsProgram, SizeSaysWhatIsWrongBeforeItSolves) {
   expect("--target '190 mm = 1.5 kPa'", 2, "does not cover a height of 190 mm");
   expect("", 2, "nothing says what pressure is wanted");
   expect("--target 'Wrist = 1.5 kPa' --population '7.6 in'", 2, "+- 15 mm");
-  expect("--target 'Wrist = 1.5 kPa' --class 'RAL-GZ 387'", 0 + 2, "in no class");
+  expect("--target 'Wrist = 1.5 kPa' --class 'RAL-GZ 387'", 2, "a class counts for a population");
+  expect("--target 'Wrist = 1.5 kPa' --class 'RAL-GZ 387' --population '7.6 in +- 0.4 in'", 2, "in no class");
   expect("--target 'Wrist = 1 MPa'", 1, "not within reach");
   EXPECT_FALSE(fs::exists(folder_ / "forearm-sized"));
 }
@@ -98,19 +99,21 @@ TEST_F(JobsProgram, SeveralTargetsAreMetInLeastSquares) {
 }
 
 TEST_F(JobsProgram, VariantsRunSideBySideAndOneThatIsWrongStopsNoOther) {
-  // Three variants of which one names a fabric that is not there: the others have results, the page has them and the reason, the status says so.
+  // Three variants of which one has a key that is none: the others have results, the page has them and the reason, the status says so.
   write_forearm("[comfort]\nthresholds = [\"discomfort, Denton\"]\n[solver]\ntier = \"L1\"\n[[sensor]]\nname = \"thumb\"\nlocation = \"Inner\"\ndiameter = \"28 mm\"\n"
                 "[[variant]]\nname = \"size S\"\nset = [\"garment.pattern.flat_circumference=170 mm\"]\n"
                 "[[variant]]\nname = \"size M\"\nset = [\"garment.pattern.flat_circumference=185 mm\"]\n"
-                "[[variant]]\nname = \"no cloth\"\nset = [\"garment.fabric=N85L99\"]\n");
+                "[[variant]]\nname = \"no cloth\"\nset = [\"garment.fabrik=N85L15\"]\n");
   const Outcome run = snug("run forearm");
   EXPECT_EQ(run.status, 2) << run.text;
   EXPECT_THAT(run.text, HasSubstr("3 runs"));
   const auto pressure = [&](const std::string& name) { return read_json("forearm/out/" + name + "/summary.json").at("locations").at(0).at("mean_pressure_Pa").get<double>(); };
   EXPECT_GT(pressure("size-S"), 1.1 * pressure("size-M"));
   const std::string page = read("forearm/out/compare.html");
-  for (const std::string part : {"size S", "size M", "no cloth has no results", "N85L99", "Ease, mean", "Sensor thumb", "Wrist, discomfort, Denton"}) EXPECT_THAT(page, HasSubstr(part));
+  for (const std::string part : {"size S", "size M", "no cloth has no results", "fabrik", "Ease, mean", "Sensor thumb", "Wrist, discomfort, Denton"}) EXPECT_THAT(page, HasSubstr(part));
   EXPECT_EQ(page.find("http://"), std::string::npos);
+  EXPECT_EQ(snug("run forearm --set 'variant=[]' --no-report").status, 0);  // results of one run beside them
+  EXPECT_TRUE(fs::exists(folder_ / "forearm/out/size-S/summary.json"));
   const Outcome one = snug("run forearm --variant 'size M' --no-report");
   EXPECT_EQ(one.status, 0) << one.text;
   EXPECT_THAT(one.text, HasSubstr("1 run"));

@@ -21,6 +21,7 @@
 #include "solver/app/batch/variants.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/report_files.hpp"
+#include "solver/app/result_list.hpp"
 #include "solver/app/stop_signals.hpp"
 #include "solver/app/study/child_process.hpp"
 
@@ -160,17 +161,25 @@ void run_jobs(std::vector<Job>& jobs, const BatchRequest& request, int at_once) 
 
 postproc::report::Comparison comparison_of(const std::vector<Job>& jobs, const std::vector<Sweep>& sweeps) {
   postproc::report::Comparison comparison;
+  const bool one_key = sweeps.size() == 1 && sweeps.front().values.size() == jobs.size();
+  if (one_key) comparison.title = fmt::format("{}: {}", sweeps.front().key, fmt::join(sweeps.front().values, " · "));
   for (std::size_t j = 0; j < jobs.size(); ++j) {
     const Job& job = jobs[j];
     if (!job.has_results()) {
       comparison.missing.push_back({job.name, status_word(job) + (job.outcome.output.empty() ? "" : ": " + last_lines(job.outcome.output))});
       continue;
     }
-    comparison.runs.push_back({job.out, job.name});
+    comparison.runs.push_back({job.out, one_key ? sweeps.front().values[j] : job.name});
     if (sweeps.size() == 1 && !sweeps.front().numbers.empty()) comparison.values.push_back(sweeps.front().numbers[j % sweeps.front().numbers.size()]);
   }
   if (sweeps.size() == 1) comparison.axis = sweeps.front().key + (sweeps.front().unit.empty() ? "" : " [" + sweeps.front().unit + "]");
   return comparison;
+}
+
+/// One of ours where it was not there or nothing is in it, so that a later run may put its results there.
+void make_folder(const fs::path& folder) {
+  fs::create_directories(folder);
+  if (fs::is_empty(folder)) write_result_list(folder, {}, true);
 }
 
 fs::path page_folder(const BatchRequest& request) {
@@ -182,7 +191,7 @@ void write_pages(const std::vector<Job>& jobs, const BatchRequest& request, cons
   const postproc::report::Comparison comparison = comparison_of(jobs, sweeps);
   if (comparison.runs.empty()) return;
   const fs::path folder = page_folder(request);
-  fs::create_directories(folder);
+  make_folder(folder);
   write_page(postproc::report::comparison_page(comparison), folder / "compare.html");
   if (!request.quiet) fmt::print("side by side: {}\n", (folder / "compare.html").string());
   if (sweeps.empty()) return;
@@ -210,7 +219,7 @@ int run_batch(const BatchRequest& request) {
   if (!sweeps.empty() && !request.variants.empty()) throw input::InputError({"--variant", 0, 0}, "a sweep and variants are asked for", "leave one out");
   std::vector<Job> jobs = jobs_of(request, sweeps.empty() ? std::vector<input::StudyVariant>{} : combinations(sweeps));
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, request.ranks));
-  for (const Job& job : jobs) fs::create_directories(fs::absolute(job.out).parent_path());
+  for (const Job& job : jobs) make_folder(fs::absolute(job.out).parent_path());
   const int at_once = std::clamp(request.jobs > 0 ? request.jobs : cores, 1, static_cast<int>(jobs.size()));
   ::setenv("OPENBLAS_NUM_THREADS", std::to_string(std::max(1, cores / at_once)).c_str(), 0);
   if (!request.quiet) fmt::print("{} run{}, {} at a time\n", jobs.size(), jobs.size() == 1 ? "" : "s", at_once), std::fflush(stdout);

@@ -98,6 +98,8 @@ class Size : public Command {
     if (!out_.empty() && fs::exists(out_)) throw input::InputError({out_, 0, 0}, "this is there already", "choose another name; nothing is overwritten");
     if (!question_.girths.empty() && !question_.distribution.empty())
       throw input::InputError({"--population", 0, 0}, "two populations are given", "give --girths or --population");
+    if (!question_.asked() && !question_.classes.empty())
+      throw input::InputError({"--class", 0, 0}, "a class counts for a population, and none is given", "add --girths FILE.csv or --population \"220 mm +- 15 mm\"");
     question_.inside = 0.01 * inside_;
     const int garment = garment_of(description);
     return vary_ == "circumferences" ? by_course(description) : by_size(description, garment);
@@ -156,6 +158,7 @@ class Size : public Command {
     std::string ends;
     for (std::size_t i = 0; i < cut.table().places(); ++i)
       ends += fmt::format("{}{} from {:.0f} to {:.0f} Pa", i ? ", " : "", place(prepared, i), cut.table().at(i, cut.table().largest()), cut.table().at(i, cut.table().smallest()));
+    std::fflush(stdout);
     fmt::print(stderr, "{}: error: what is wanted is not within reach of this fabric: by the law of Laplace it presses at {}, from slack to 2.9 times its length; take a stiffer or a softer one\n",
                (prepared.description.directory / "case.toml").string(), ends);
     return outside_tolerance;

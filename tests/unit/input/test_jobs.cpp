@@ -62,7 +62,7 @@ class JobsOfACase : public testing::Test {
     std::ofstream(folder_ / "tube.csv") << "height [mm],girth [mm],bone_girth [mm]\n0,300,60\n100,300,60\n";
     std::ofstream(folder_ / "case.toml") << "title = \"t\"\n[body]\nkind = \"stations\"\nstations = \"tube.csv\"\nlayers = [{ name = \"bone\", material = \"rigid\" }, { name = \"tissue\", material = "
                                             "\"relaxed calf\" }]\n[[body.locations]]\nname = \"Ankle\"\nfrom_angle = \"0 deg\"\nto_angle = \"360 deg\"\n[[body.locations]]\nname = \"Front\"\n"
-                                            "from_angle = \"350 deg\"\nto_angle = \"30 deg\"\n[garment]\npattern = { kind = \"tube\", flat_circumference = \"260 mm\", length = \"50 mm\" }\n"
+                                            "from_angle = \"-10 deg\"\nto_angle = \"30 deg\"\n[garment]\npattern = { kind = \"tube\", flat_circumference = \"260 mm\", length = \"50 mm\" }\n"
                                             "fabric = \"N85L15\"\nposition = \"20 mm\"\n[contact]\n"
                                          << comfort << sections;
     try {
