@@ -107,7 +107,7 @@ bool above_trial(const LocationRow& row) { return row.extrapolated && row.mean_p
 std::string why_no_score(const std::vector<LocationRow>& rows, const std::string& curves) {
   std::vector<std::string> above;
   for (const LocationRow& row : rows)
-    if (above_trial(row)) above.push_back(fmt::format("{} ({:.4g} Pa, the trial ends at {:.4g})", row.name, row.mean_pressure, row.trial_high));
+    if (above_trial(row)) above.push_back(fmt::format("{} ({:.0f} Pa, the trial ends at {:.0f})", row.name, row.mean_pressure, row.trial_high));
   if (!above.empty()) return fmt::format("more pressure than anybody was asked about: {}", fmt::join(above, ", "));
   if (std::any_of(rows.begin(), rows.end(), [](const LocationRow& row) { return row.rating.has_value(); })) return {};
   if (std::none_of(rows.begin(), rows.end(), covered)) return "the garment presses on no location";

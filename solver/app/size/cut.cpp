@@ -68,8 +68,7 @@ std::string garment_path(const input::Case& description, int garment) {
 }
 
 ScaledCut::ScaledCut(const PreparedCase& prepared, int garment)
-    : garment_(garment),
-      path_(garment_path(prepared.description, garment) + "pattern."),
+    : path_(garment_path(prepared.description, garment) + "pattern."),
       base_(prepared.model.garments[garment].spec.pattern),
       table_(prepared, garment, target_of(prepared)),
       search_(wanted_of(target_of(prepared)), [this](std::size_t place, double size) { return table_.at(place, size); }, table_.smallest(), table_.largest()),
@@ -95,11 +94,11 @@ std::vector<Setting> ScaledCut::settings_of(double size) const {
 std::vector<Setting> ScaledCut::next() { return settings_of(size_); }
 std::vector<Setting> ScaledCut::settings(const PreparedCase&) const { return settings_of(size_); }
 
-std::string ScaledCut::text(const PreparedCase& prepared) const {
+std::string ScaledCut::text(const PreparedCase&) const {
   if (base_.sewn()) return fmt::format("girth_scale {:.4f}", size_ * base_.girth_scale);
   if (!base_.graduated()) return fmt::format("flat_circumference {:.1f} mm", 1e3 * size_ * base_.flat_circumference);
-  const auto& rows = prepared.model.garments[garment_].spec.pattern.circumferences;
-  return fmt::format("circumferences {:.1f} to {:.1f} mm ({:.2f} % of the case's)", 1e3 * rows.front().girth, 1e3 * rows.back().girth, 100.0 * size_);
+  const auto& rows = base_.circumferences;
+  return fmt::format("circumferences {:.1f} to {:.1f} mm ({:.2f} % of the case's)", 1e3 * size_ * rows.front().girth, 1e3 * size_ * rows.back().girth, 100.0 * size_);
 }
 
 std::vector<postproc::TargetRow> ScaledCut::compare(const PreparedCase& prepared, const postproc::RunResult& run) const {

@@ -59,7 +59,6 @@ class ScaledCut : public Cut {
   void choose();
   std::vector<Setting> settings_of(double size) const;
 
-  int garment_;
   std::string path_;
   input::PatternSpec base_;
   solver::LaplaceTable table_;

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "cases/input/job_spec.hpp"
+#include "cases/input/overrides.hpp"
 #include "cases/input/toml_edit.hpp"
 
 namespace snug::input {
@@ -51,6 +52,19 @@ TEST(TomlEdit, WhatCannotBeWrittenIsNoText) {
   EXPECT_FALSE(with_value("a = 1\n", "a", "2 mm"));
   EXPECT_FALSE(with_value("[[garment]]\nname = \"x\"\n[[garment]]\nname = \"y\"\n", "garment.z.order", "1"));
   EXPECT_FALSE(with_value("a = [", "a", "2"));
+}
+
+TEST(Overrides, SetKeysOfAPatternThatIsAFile) {
+  // pattern = "leg.toml" keeps its file beside a scale that is set.
+  Diagnostics wrong;
+  Table root = parse_text("[garment]\npattern = \"leg.toml\"\n", {"text", 1, 1}, wrong);
+  apply_overrides(root, {"garment.pattern.girth_scale=0.9"}, wrong);
+  EXPECT_FALSE(wrong.any());
+  const Table* pattern = root.table("garment")->table("pattern");
+  ASSERT_NE(pattern, nullptr);
+  EXPECT_EQ(*pattern->find("file")->text(), "leg.toml");
+  double storage = 0.0;
+  EXPECT_EQ(*pattern->find("girth_scale")->number(storage), 0.9);
 }
 
 class JobsOfACase : public testing::Test {
