@@ -148,6 +148,7 @@ std::pair<double, double> near_and_size(const std::array<int, 9>& facet, const s
 postproc::SensorRow row_of(const input::SensorSpec& sensor, const Model& model, const Meshes& meshes, const postproc::RunResult& run, const std::vector<Point>& now) {
   postproc::SensorRow row{.name = sensor.name, .at = middle_of(sensor, model.asked, meshes.body), .diameter = sensor.diameter, .thickness = sensor.thickness};
   constexpr double across = 60.0;  // cells over the diameter: the rim is a staircase of a thousandth of the area
+  constexpr double wholly_covered = 0.95;  // what is left to 1 are the chords of the cloth's triangles on the curved skin
   const double radius = 0.5 * sensor.diameter;
   double area = 0.0, covered = 0.0, force = 0.0;
   Point middle = Point::Zero();
@@ -157,7 +158,8 @@ postproc::SensorRow row_of(const input::SensorSpec& sensor, const Model& model, 
     FineFacet(run, now, static_cast<int>(f), std::clamp(static_cast<int>(std::ceil(across * size / sensor.diameter)), 2, 80))
         .each([&](const Point& reference, const Point& deformed, double own, double coverage, double pressure) {
           if ((reference - row.at).norm() > radius) return;
-          area += own, covered += own * coverage, force += own * coverage * pressure, middle += own * deformed;
+          const double share = std::min(1.0, coverage / wholly_covered);
+          area += own, covered += own * share, force += own * share * pressure, middle += own * deformed;
         });
   }
   if (area == 0.0) return row;
