@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "postproc/comfort/curve_library.hpp"
@@ -32,19 +33,21 @@ struct Pressures {
   }
 };
 
-/// A hem is a line load and no pressure of the location, unless there is nothing but hems.
-LocationRow summarise(const BodyResult& body, int location, const std::vector<double>& areas) {
+/// A hem is a line load and no pressure of the location, unless there is nothing but hems. `share`: of a node that counts, 0 to 1.
+template <class Share>
+LocationRow summarise(const std::string& name, const BodyResult& body, const std::vector<double>& areas, Share share) {
   LocationRow row;
-  row.name = body.locations[location];
+  row.name = name;
   Pressures all, inside;
   double largest = 0.0;  // beside hems
   const std::vector<double>&pressure = values_of(body.fields, field::contact_pressure), &coverage = values_of(body.fields, field::coverage),
                            &hem = values_of(body.fields, field::hem);
   const std::vector<double>& beside = body.fields.has(field::largest_inside) ? body.fields[field::largest_inside] : pressure;
-  for (std::size_t n = 0; n < body.node_location.size(); ++n) {
-    if (body.node_location[n] != location) continue;
-    const double area = areas[n] * entry(coverage, n);
-    row.area += areas[n];
+  for (std::size_t n = 0; n < areas.size(); ++n) {
+    const double own = share(n) * areas[n];
+    if (own == 0.0) continue;
+    const double area = own * entry(coverage, n);
+    row.area += own;
     all.add(area, entry(pressure, n));
     if (entry(hem, n) == 0.0) inside.add(area, entry(pressure, n));
     if (area > 0.0) largest = std::max(largest, entry(beside, n));  // a facet over the garment's edge has nodes that bear nothing
@@ -58,23 +61,65 @@ LocationRow summarise(const BodyResult& body, int location, const std::vector<do
   return row;
 }
 
+LocationRow of_location(int location, const BodyResult& body, const std::vector<double>& areas) {
+  return summarise(body.locations[location], body, areas, [&](std::size_t n) { return n < body.node_location.size() && body.node_location[n] == location ? 1.0 : 0.0; });
+}
+
+/// Mean edge of the skin's facets, m.
+double mean_cell(const BodyResult& body, const std::vector<double>& areas) {
+  double area = 0.0;
+  for (const double one : areas) area += one;
+  return body.skin_facets.empty() ? 0.0 : std::sqrt(area / static_cast<double>(body.skin_facets.size()));
+}
+
+/// Share of a node that counts round the body at a height: less the farther it is, none from a cell on.
+double share_at(double height, double z, double cell) { return std::max(0.0, 1.0 - std::abs(z - height) / cell); }
+
+LocationRow at_height(double height, const BodyResult& body, const std::vector<double>& areas) {
+  const double cell = mean_cell(body, areas);
+  return summarise(fmt::format("{:.4g} mm", 1e3 * height), body, areas, [&](std::size_t n) { return share_at(height, body.nodes[n].z(), cell); });
+}
+
+std::vector<double> skin_areas(const BodyResult& body) {
+  const std::vector<double>* known = body.fields.find(field::skin_area);  // of the contact
+  return known ? *known : nodal_areas(body.skin_facets, body.nodes.size(), nodes_now(body));
+}
+
+bool covered(const LocationRow& row) { return row.coverage > 0.0; }
+
 void rate_row(const SensationCurves& curves, LocationRow& row) {
   const SensationCurve* curve = curves.find(row.name);
-  if (row.coverage <= 0 || !curve) return;
+  if (!covered(row) || !curve) return;
   const Rating rating = rate(*curve, row.mean_pressure);
-  row.rating = rating.value;
-  row.term = rating.term;
   row.significant = rating.significant;
   row.extrapolated = rating.extrapolated;
+  row.trial_low = curve->low, row.trial_high = curve->high;
+  if (row.extrapolated) return;
+  row.rating = rating.value;
+  row.term = rating.term;
   row.rating_error = rating.error;
   row.degrees = rating.degrees;
+}
+
+bool above_trial(const LocationRow& row) { return row.extrapolated && row.mean_pressure > row.trial_high; }
+
+/// Why no score is made of the rows; empty where one can be.
+std::string why_no_score(const std::vector<LocationRow>& rows, const std::string& curves) {
+  std::vector<std::string> above;
+  for (const LocationRow& row : rows)
+    if (above_trial(row)) above.push_back(fmt::format("{} ({:.0f} Pa, the trial ends at {:.0f})", row.name, row.mean_pressure, row.trial_high));
+  if (!above.empty()) return fmt::format("more pressure than anybody was asked about: {}", fmt::join(above, ", "));
+  if (std::any_of(rows.begin(), rows.end(), [](const LocationRow& row) { return row.rating.has_value(); })) return {};
+  if (std::none_of(rows.begin(), rows.end(), covered)) return "the garment presses on no location";
+  const bool below = std::any_of(rows.begin(), rows.end(), [](const LocationRow& row) { return row.extrapolated; });
+  return below ? "every covered location with a curve is below the pressures of the trial" : fmt::format("no covered location has a curve in \"{}\"", curves);
 }
 
 std::vector<ThresholdRow> hold_against(const std::vector<SensationCurves>& sets, const std::vector<LocationRow>& rows) {
   std::vector<ThresholdRow> result;
   for (const SensationCurves& set : sets)
     for (const LocationRow& row : rows) {
-      const std::string found = row.coverage > 0 ? verdict(set, row.name, row.mean_pressure) : std::string();
+      const std::string found = covered(row) ? verdict(set, row.name, row.mean_pressure) : std::string();
       if (!found.empty()) result.push_back({set.name, row.name, row.mean_pressure, found});
     }
   return result;
@@ -102,16 +147,19 @@ void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, co
   evaluation.curves = evidence.curves.name;
   evaluation.curves_source = evidence.curves.source;
   evaluation.thresholds = hold_against(evidence.thresholds, evaluation.locations);
+  if (evidence.curves.curves.empty()) return;  // thresholds alone
   std::vector<LocationRating> ratings;
   for (LocationRow& row : evaluation.locations) {
     rate_row(evidence.curves, row);
     if (row.rating) ratings.push_back({row.name, *row.rating, row.rating_error, row.degrees});
   }
-  if (!ratings.empty()) evaluation.comfort = comfort_of(ratings, comfort, directory);
+  evaluation.no_score = why_no_score(evaluation.locations, evidence.curves.name);
+  if (evaluation.no_score.empty()) evaluation.comfort = comfort_of(ratings, comfort, directory);
 }
 
 Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem::path& directory) {
-  Evidence evidence{load_curves(comfort.curves, directory), {}};
+  Evidence evidence;
+  if (comfort.curves.name != "none") evidence.curves = load_curves(comfort.curves, directory);
   for (const input::MaterialEntry& set : comfort.thresholds)
     evidence.thresholds.push_back(load_bands(set, directory));
   if (!comfort.fuzzy.name.empty()) load_fuzzy(comfort.fuzzy, {}, directory);
@@ -121,13 +169,34 @@ Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem:
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory) {
   const BodyResult& body = run.body;
-  const std::vector<double>* known = body.fields.find(field::skin_area);  // of the contact
-  const std::vector<double> areas = known ? *known : nodal_areas(body.skin_facets, body.nodes.size(), nodes_now(body));
+  const std::vector<double> areas = skin_areas(body);
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)
-    evaluation.locations.push_back(summarise(body, static_cast<int>(location), areas));
+    evaluation.locations.push_back(of_location(static_cast<int>(location), body, areas));
   if (comfort && run.status == Status::converged) add_sensation(evaluation, *comfort, directory);
   return evaluation;
+}
+
+std::vector<double> counted_areas(const BodyResult& body, const input::WantedPressure& wanted) {
+  std::vector<double> areas = skin_areas(body);
+  const double cell = mean_cell(body, areas);
+  for (std::size_t n = 0; n < areas.size(); ++n) {
+    const int location = n < body.node_location.size() ? body.node_location[n] : -1;
+    areas[n] *= wanted.height ? share_at(*wanted.height, body.nodes[n].z(), cell) : location >= 0 && body.locations[location] == wanted.location ? 1.0 : 0.0;
+  }
+  return areas;
+}
+
+std::vector<TargetRow> target_rows(const RunResult& run, const std::vector<LocationRow>& locations, const input::TargetSpec& target) {
+  std::vector<TargetRow> rows;
+  if (run.status != Status::converged) return rows;
+  const std::vector<double> areas = skin_areas(run.body);
+  for (const input::WantedPressure& wanted : target.pressures) {
+    const auto known = std::find_if(locations.begin(), locations.end(), [&](const LocationRow& row) { return row.name == wanted.location; });
+    const LocationRow row = !wanted.height && known != locations.end() ? *known : at_height(wanted.height.value_or(0.0), run.body, areas);
+    rows.push_back({row.name, wanted.pressure, row.mean_pressure});
+  }
+  return rows;
 }
 
 std::vector<LocationPressure> read_pressures(const std::filesystem::path& file) {
@@ -155,12 +224,13 @@ Evaluation score(const std::vector<LocationPressure>& pressures, const input::Co
   for (const auto& [location, pressure] : pressures) {
     LocationRow row;
     row.name = location;
-    row.coverage = 1.0;
+    row.coverage = pressure > 0.0 ? 1.0 : 0.0;  // without pressure there is no garment
     row.mean_pressure = row.max_pressure = pressure;
     evaluation.locations.push_back(std::move(row));
   }
   add_sensation(evaluation, comfort, directory);
-  if (!evaluation.comfort)
+  const bool spoken_of = std::any_of(evaluation.locations.begin(), evaluation.locations.end(), [](const LocationRow& row) { return row.trial_high > 0.0 || !covered(row); });
+  if (!spoken_of && evaluation.thresholds.empty())
     throw input::InputError({}, "no location of the table has a sensation curve",
                             "use the names of the curves, such as \"Front thigh\" (snug list shows them)");
   return evaluation;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cases/input/case.hpp"
+#include "cases/input/job_spec.hpp"
 #include "postproc/comfort/comfort.hpp"
 #include "postproc/comfort/sensation.hpp"
 #include "postproc/result.hpp"
@@ -20,10 +21,11 @@ struct LocationRow {
   double mean_pressure = 0.0;    ///< Pa, weighted by covered area, the strips beside the hems left out; 0 without cover
   double max_pressure = 0.0;     ///< Pa, largest beside the hems (field::largest_inside)
   std::string pressures_of = "cover";  ///< "cover beside hems" where strips are left out; "hem" where there is nothing but them
-  std::optional<double> rating;  ///< [0, 4]; none without cover, comfort section or curve of that name
+  std::optional<double> rating;  ///< [0, 4]; none without cover, comfort section or curve of that name, and outside the trial's pressures
   std::string term;              ///< neutral ... extremely uncomfortable; empty without a rating
   bool significant = true;       ///< false: the trial shows no effect of pressure here, the rating is its mean
-  bool extrapolated = false;     ///< the mean pressure lies outside the trial's range
+  bool extrapolated = false;     ///< the mean pressure lies outside the trial's range: nobody was asked about it, there is no rating
+  double trial_low = 0.0, trial_high = 0.0;  ///< Pa, that range; 0 and 0: no curve
   double rating_error = 0.0;     ///< standard error of the rating; NaN when the curve tells no scatter
   int degrees = 0;               ///< of freedom behind it
 };
@@ -35,9 +37,31 @@ struct ThresholdRow {
   std::string verdict;    ///< "CCL 2", "below onset of sensation", "between CCL 1 and CCL 2", ...
 };
 
+/// How near a pressure comes to the one that is wanted.
+struct TargetRow {
+  std::string place;  ///< name of the location, or "120 mm"
+  double wanted = 0.0, found = 0.0;  ///< Pa; nothing is found where there is no cover
+};
+
+/// What a flat sensor between garment and skin would read (solver/library/sensor.hpp).
+struct SensorRow {
+  std::string name;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< m, its middle on the undeformed skin
+  double diameter = 0.0, thickness = 0.0;        ///< m
+  double coverage = 0.0;          ///< 0..1, share of it that the garment covers
+  double skin_pressure = 0.0;     ///< Pa, normal force on the skin under it over its area; without cover it bears nothing
+  double tension = std::numeric_limits<double>::quiet_NaN();  ///< N/m, sum of both principal tensions of the garment over it; NaN: not known
+  double bulge = std::numeric_limits<double>::quiet_NaN();    ///< Pa, what the bulge adds; NaN: not asked for or not known
+
+  double reading() const { return bulge > 0.0 ? skin_pressure + bulge : skin_pressure; }  ///< Pa
+};
+
 struct Evaluation {
   std::vector<LocationRow> locations;  ///< in the order of the result's locations
-  std::optional<Comfort> comfort;      ///< none when no location has a rating
+  std::optional<Comfort> comfort;      ///< none when no location has a rating, or one presses more than any in the trial
+  std::string no_score;                ///< why a comfort section gives none: "no location is covered"; empty without one
+  std::vector<TargetRow> targets;      ///< in the order of the case
+  std::vector<SensorRow> sensors;      ///< likewise
   std::vector<ThresholdRow> thresholds;  ///< of the covered locations that a chosen set speaks of
   std::string curves;                    ///< name of the sensation curves; empty without a comfort section
   std::string curves_source;             ///< their citation
@@ -49,6 +73,13 @@ struct Evaluation {
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory = {});
 
+/// What of each node of the skin (m2) counts for a pressure that is wanted: all of a location's nodes, or round the body those within a cell of the
+/// height, less the farther they are. `body` needs no fields.
+std::vector<double> counted_areas(const BodyResult& body, const input::WantedPressure& wanted);
+
+/// What is found of the pressures that are wanted; nothing short of the answer. `locations`: of the same run.
+std::vector<TargetRow> target_rows(const RunResult& run, const std::vector<LocationRow>& locations, const input::TargetSpec& target);
+
 /// A pressure that was measured or predicted elsewhere.
 struct LocationPressure {
   std::string location;
@@ -59,19 +90,20 @@ struct LocationPressure {
 /// Throws InputError with file and line: unreadable, a column missing, a location named twice.
 std::vector<LocationPressure> read_pressures(const std::filesystem::path& file);
 
-/// Ratings and comfort of given pressures, no mechanics (`snug score`). Rows have no area and full coverage.
-/// Throws InputError when no location has a curve.
+/// Ratings and comfort of given pressures, no mechanics (`snug score`). Rows have no area, and full coverage where there is a pressure.
+/// Throws InputError when no location has a curve and no threshold speaks of one.
 Evaluation score(const std::vector<LocationPressure>& pressures, const input::ComfortSpec& comfort,
                  const std::filesystem::path& directory = {});
 
 /// The data behind [comfort], read and checked. Throws InputError.
 struct Evidence {
-  SensationCurves curves;
+  SensationCurves curves;  ///< none where nobody is asked: thresholds alone
   std::vector<SensationCurves> thresholds;
 };
 Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem::path& directory = {});
 
-/// Adds rating and term to the rows that have cover and a curve, and the comfort of those together.
+/// Adds rating and term to the rows that have cover and a curve whose trial had such pressures, and the comfort of those together. Below the
+/// trial's pressures a location counts as one without a curve; where one lies above them there is no score, and `no_score` says why.
 void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, const std::filesystem::path& directory);
 
 }  // namespace snug::postproc

@@ -175,7 +175,7 @@ void add_recorded(Grid& grid, const Fields& fields) {
 /// Rating of the node's location where the node is covered; NaN elsewhere. One value a location, because the curves
 /// were fitted to pressures of whole locations.
 void add_sensation(Grid& grid, const BodyResult& body, const Evaluation& evaluation) {
-  if (!evaluation.comfort) return;
+  if (std::none_of(evaluation.locations.begin(), evaluation.locations.end(), [](const LocationRow& row) { return row.rating.has_value(); })) return;
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double>* coverage = body.fields.find(field::coverage);
   std::vector<double> rating(body.nodes.size(), none);

@@ -18,7 +18,7 @@ bool has_stress(const Record& record) { return record.run.body.fields.has(field:
 bool has_displacement(const Record& record) { return record.run.body.fields.has(field::displacement); }
 bool has_garment(const Record& record) { return record.stored.garment_grid.has_value(); }
 bool has_locations(const Record& record) { return !record.evaluation.locations.empty(); }
-bool has_comfort(const Record& record) { return record.evaluation.comfort.has_value(); }
+bool has_comfort(const Record& record) { return judges(record.evaluation); }
 
 /// Writes the file whole with what `fill` puts into a stream.
 template <class Fill>

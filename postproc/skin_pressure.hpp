@@ -44,6 +44,9 @@ SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t
 /// A nodal field of the skin at the place of a sample that is on a facet, with the shape functions of the transfer.
 double field_at(const std::vector<std::array<int, 9>>& facets, const ContactSample& sample, const std::vector<double>& field);
 
+/// Values at a point of a facet of the shape functions of its nodes, as the transfer has them.
+std::array<double, 9> shape_at(const std::array<int, 9>& facet, double xi, double eta);
+
 /// Friction (`shear`) of the samples on the nodes, Pa: the nodal pressure times the ratio of shear to normal force round the
 /// node. The weights of that ratio are positive hats, so that what obeys |t| <= mu p at the samples does so at the nodes.
 /// A node sticks (1) or slips (2) by the larger covered area of its samples; 0 where the pressure is 0.

@@ -140,7 +140,7 @@ StoredRun stored_run(const RunResult& run, const Evaluation& evaluation, const P
   StoredRun stored;
   stored.name = name_of(directory);
   stored.summary = summary_document(run, evaluation, provenance);
-  if (evaluation.comfort) stored.comfort = comfort_document(evaluation);
+  if (judges(evaluation)) stored.comfort = comfort_document(evaluation);
   for (const Iteration& row : run.history) stored.history.push_back(as_recorded(row));
   if (!run.body.skin_facets.empty() || !run.body.cells.empty()) stored.body_grid = grid_of(run.body, evaluation);
   if (!run.garment.triangles.empty()) stored.garment_grid = grid_of(run.garment);

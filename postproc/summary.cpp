@@ -4,16 +4,12 @@
 
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "postproc/documents.hpp"
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
 namespace {
-
-/// As its text reads: what a file cannot hold is not in a document either.
-Json as_read(const Json& json) { return Json::parse(text_of(json)); }
 
 /// An empty map would become null.
 template <class Map>
@@ -22,87 +18,6 @@ Json object(const Map& map) {
 }
 
 Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Json location_json(const LocationRow& row) {
-  Json json = {{"location", row.name},
-               {"area_m2", row.area},
-               {"coverage", row.coverage},
-               {"mean_pressure_Pa", row.mean_pressure},
-               {"max_pressure_Pa", row.max_pressure},
-               {"pressures_of", row.pressures_of},
-               {"mean_pressure_gf_per_cm2", to_gf_cm2(row.mean_pressure)},
-               {"mean_pressure_mmHg", to_mmHg(row.mean_pressure)},
-               {"rating", nullptr},
-               {"term", nullptr}};
-  if (!row.rating) return json;
-  json["rating"] = *row.rating;
-  json["term"] = row.term;
-  json["significant"] = row.significant;
-  json["extrapolated"] = row.extrapolated;
-  json["rating_error"] = row.rating_error;
-  return json;
-}
-
-Json locations_json(const Evaluation& evaluation) {
-  Json json = Json::array();
-  for (const LocationRow& row : evaluation.locations) json.push_back(location_json(row));
-  return json;
-}
-
-Json interval_json(const ScoreInterval& interval) {
-  return {{"level", interval.level},
-          {"low", interval.low},
-          {"high", interval.high},
-          {"standard_deviation", interval.deviation},
-          {"samples", interval.samples},
-          {"seed", interval.seed},
-          {"without_scatter", interval.without_scatter}};
-}
-
-Json thresholds_json(const Evaluation& evaluation) {
-  Json json = Json::array();
-  for (const ThresholdRow& row : evaluation.thresholds)
-    json.push_back(
-        {{"set", row.set}, {"location", row.location}, {"pressure_Pa", row.pressure}, {"verdict", row.verdict}});
-  return json;
-}
-
-/// Locations whose pressure lies outside the data behind their curve.
-Json extrapolated_json(const Evaluation& evaluation) {
-  Json json = Json::array();
-  for (const LocationRow& row : evaluation.locations)
-    if (row.rating && row.extrapolated) json.push_back(row.name);
-  return json;
-}
-
-// The keys are documented in docs/comfort.md; the report reads them.
-Json comfort_json(const Evaluation& evaluation) {
-  const Comfort& comfort = *evaluation.comfort;
-  Json memberships = Json::array(), rules = Json::array(), output = Json::object();
-  for (const LocationMembership& membership : comfort.memberships) {
-    Json degrees = Json::object();
-    for (std::size_t t = 0; t < comfort.sensation_terms.size(); ++t)
-      degrees[comfort.sensation_terms[t]] = membership.degrees.at(t);
-    memberships.push_back({{"location", membership.location}, {"rating", membership.rating}, {"degrees", degrees}});
-  }
-  for (const FiredRule& rule : comfort.rules)
-    rules.push_back({{"rule", rule.rule}, {"then", rule.term}, {"strength", rule.strength}});
-  for (const auto& [term, degree] : comfort.output_memberships) output[term] = degree;
-  return {{"score", comfort.score},
-          {"term", comfort.term},
-          {"scale", comfort.scale},
-          {"interval", comfort.interval ? interval_json(*comfort.interval) : Json()},
-          {"curves", evaluation.curves},
-          {"curves_source", evaluation.curves_source},
-          {"fuzzy", comfort.system},
-          {"extrapolated", extrapolated_json(evaluation)},
-          {"left_out", comfort.left_out},
-          {"inputs_without_rating", comfort.silent},
-          {"thresholds", thresholds_json(evaluation)},
-          {"memberships", memberships},
-          {"rules", rules},
-          {"output_memberships", output}};
-}
 
 Json balance_json(const Balance& balance) {
   Json reactions = Json::object();
@@ -322,14 +237,6 @@ void add_outcome(Json& json, const RunResult& run) {
   if (Json fields = fields_json(run); !fields.empty()) json["fields"] = std::move(fields);
 }
 
-void add_evaluation(Json& json, const Evaluation& evaluation) {
-  json["locations"] = locations_json(evaluation);
-  json["comfort"] = nullptr;
-  if (!evaluation.comfort) return;
-  json["comfort"] = {{"score", evaluation.comfort->score}, {"term", evaluation.comfort->term}};
-  if (evaluation.comfort->interval) json["comfort"]["interval"] = interval_json(*evaluation.comfort->interval);
-}
-
 }  // namespace
 
 std::string state_text(const RunResult& run) {
@@ -340,6 +247,8 @@ std::string state_text(const RunResult& run) {
   else if (truth.friction_bound != 1.0) text += fmt::format(", friction bound to {:.3g} times its coefficient", truth.friction_bound);
   return text;
 }
+
+Json as_read(const Json& json) { return Json::parse(text_of(json)); }
 
 // nlohmann writes numbers that are not finite as null, which is what we want of a value that was not computed.
 std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
@@ -359,19 +268,6 @@ Json summary_document(const RunResult& run, const Evaluation& evaluation, const 
   json["versions"] = object(provenance.versions);
   json["input_hashes"] = object(provenance.input_hashes);
   return as_read(json);
-}
-
-Json comfort_document(const Evaluation& evaluation) {
-  if (!evaluation.comfort) throw std::logic_error("comfort_document: the evaluation has no comfort");
-  return as_read(comfort_json(evaluation));
-}
-
-
-std::string evaluation_json(const Evaluation& evaluation) {
-  Json json = {
-      {"locations", locations_json(evaluation)}, {"thresholds", thresholds_json(evaluation)}, {"comfort", nullptr}};
-  if (evaluation.comfort) json["comfort"] = comfort_json(evaluation);
-  return text_of(json);
 }
 
 }  // namespace snug::postproc

@@ -20,6 +20,9 @@ struct Provenance {
 /// "at 33 % of the stage rigid skin, the tissue 12 times as stiff as it is": what a state short of the answer is.
 std::string state_text(const RunResult& run);
 
+/// True where there is something for comfort.json: a score, why there is none, or thresholds.
+bool judges(const Evaluation& evaluation);
+
 /// {"locations": [{location, rating, term, ...}], "comfort": {...} or null}, as `snug score --json` prints.
 std::string evaluation_json(const Evaluation& evaluation);
 

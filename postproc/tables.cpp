@@ -56,6 +56,8 @@ void write_locations(std::ostream& out, const Evaluation& evaluation) {
     if (row.rating)
       fmt::print(out, ",{:.4f},{},{},{},{:.4f}", *row.rating, row.term, row.significant, row.extrapolated,
                  row.rating_error);
+    else if (row.trial_high > 0.0)
+      fmt::print(out, ",,,{},{},", row.significant, row.extrapolated);
     else
       out << ",,,,,";
     fmt::print(out, ",{}\n", row.pressures_of);

@@ -1,5 +1,7 @@
 #include "cases/input/key_list.hpp"
 
+#include "cases/input/job_spec.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -56,7 +58,11 @@ void KeyList::add(const Field& field, const std::string& key, const MaterialEntr
   push(field, key, list + "name or table", "");
 }
 
-std::vector<KeyRow> case_keys() { return keys_of<Case>(); }
+std::vector<KeyRow> case_keys() {
+  std::vector<KeyRow> rows = keys_of<Case>();
+  for (KeyRow& row : keys_of<Jobs>()) rows.push_back(std::move(row));
+  return rows;
+}
 
 std::string explanation(const KeyRow& row) {
   std::string text = row.key + "\n";

@@ -44,6 +44,14 @@ Value* entry_of(std::vector<Value>& items, const std::string& step) {
   return nullptr;
 }
 
+/// pattern = "leg.toml" stands for pattern = { file = "leg.toml" }, whose other keys may be set.
+void spell_out_pattern(Value& pattern) {
+  if (!pattern.text()) return;
+  Table table{.where = pattern.where, .entries = {}};
+  table.set("file", pattern);
+  pattern.data = std::move(table);
+}
+
 /// The value one step below `from`; sections that are not there yet are made.
 Value* descend(Value& from, const std::string& step, const Location& where, Diagnostics& diagnostics) {
   if (auto* items = std::get_if<std::vector<Value>>(&from.data)) {
@@ -72,8 +80,10 @@ void apply(Value& root, const std::string& text, Diagnostics& diagnostics) {
   if (equals == std::string::npos || steps.empty())
     return diagnostics.error(where, "there is no key=value", "write for example --set garment.fabric=N85L15");
   Value* target = &root;
-  for (const std::string& step : steps)
-    if (target) target = descend(*target, step, where, diagnostics);
+  for (std::size_t n = 0; n < steps.size() && target; ++n) {
+    if (n > 0 && steps[n - 1] == "pattern") spell_out_pattern(*target);
+    target = descend(*target, steps[n], where, diagnostics);
+  }
   if (target) *target = override_value(text.substr(equals + 1), where);
 }
 

@@ -2,6 +2,8 @@
 
 #include "cases/input/case.hpp"
 #include "cases/input/case_checks.hpp"
+#include "cases/input/echo.hpp"
+#include "cases/input/job_checks.hpp"
 #include "cases/input/overrides.hpp"
 #include "cases/input/paths.hpp"
 #include "cases/input/reader.hpp"
@@ -36,19 +38,61 @@ Table parse_case(const fs::path& directory, Diagnostics& diagnostics) {
   return {};
 }
 
+/// Thresholds are enough: nobody is asked then.
+void complete_comfort(Table& root) {
+  Value* comfort = root.find("comfort");
+  if (Table* table = comfort ? comfort->table() : nullptr; table && !table->find("curves") && table->find("thresholds"))
+    table->set("curves", {table->where, std::string("none")});
+}
+
+std::vector<std::string> keys_of_jobs() {
+  std::vector<std::string> keys;
+  Jobs jobs;
+  Jobs::describe(jobs, [&](const Field& field, const auto&) { keys.push_back(field.key); });
+  return keys;
+}
+
+/// The sections of the jobs alone.
+Jobs jobs_of(const Table& root, Diagnostics& diagnostics, const ReadRules& rules) {
+  Table sections{.where = root.where, .entries = {}};
+  for (const std::string& key : keys_of_jobs())
+    if (const Value* value = root.find(key)) sections.set(key, *value);
+  return read<Jobs>(sections, diagnostics, rules);
+}
+
 }  // namespace
+
+Jobs read_jobs(const fs::path& directory, const ReadOptions& options) {
+  Diagnostics diagnostics;
+  Table root = parse_case(directory, diagnostics);
+  diagnostics.throw_if_any();
+  apply_overrides(root, options.overrides, diagnostics);
+  const Jobs jobs = jobs_of(root, diagnostics, {.directory = directory, .allow_outside = options.allow_outside});
+  diagnostics.throw_if_any();
+  return jobs;
+}
+
+std::string echo_text(const Jobs& jobs) {
+  Jobs alone = jobs;
+  alone.variants.clear();
+  return jobs.target || !jobs.sensors.empty() ? "\n" + to_toml(to_table(alone)) : "";
+}
 
 Case read_case(const fs::path& directory, const ReadOptions& options) {
   Diagnostics diagnostics;
   Table root = parse_case(directory, diagnostics);
   diagnostics.throw_if_any();  // without a document every key would be missing
   apply_overrides(root, options.overrides, diagnostics);
+  complete_comfort(root);
   const ReadRules rules{.directory = directory, .allow_outside = options.allow_outside};
-  Case description = read<Case>(root, diagnostics, rules);
+  ReadRules of_case = rules;
+  of_case.also_known = keys_of_jobs();
+  Case description = read<Case>(root, diagnostics, of_case);
   description.directory = directory;
   complete(description, root);
   if (description.comfort) check_files(*description.comfort, rules, diagnostics);
   check_case(description, root, diagnostics);
+  check_jobs(jobs_of(root, diagnostics, rules), description, root, diagnostics);
   diagnostics.throw_if_any();
   return description;
 }

@@ -7,9 +7,11 @@
 #include <sstream>
 
 #include "postproc/report/assets.hpp"
+#include "postproc/report/compare_rows.hpp"
 #include "postproc/report/page.hpp"
 #include "postproc/report/template.hpp"
 #include "postproc/report/view.hpp"
+#include "postproc/tables.hpp"
 
 namespace snug::postproc::report {
 
@@ -18,98 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double map_width = 520.0;  // px
-
-using Runs = std::vector<ShownRun>;
-
-/// Change against the first run, "+3.1 %".
-std::string difference(double value, double first) {
-  if (!std::isfinite(value) || !std::isfinite(first) || first == 0.0) return {};
-  const double percent = 100.0 * (value - first) / std::abs(first);
-  return fmt::format("{}{:.1f} %", percent < -0.05 ? "−" : percent > 0.05 ? "+" : "", std::abs(percent));
-}
-
-/// Counts wholly, other numbers to three digits.
-std::string shown(double value) { return value == std::floor(value) ? plain(value) : number(value); }
-
-/// A row with a value a run.
-template <class ValueOf>
-Json row_of(const std::string& name, const std::string& unit, const Runs& runs, double factor, ValueOf value_of) {
-  Json cells = Json::array();
-  const double first = value_of(runs.front());
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const double value = value_of(runs[r]);
-    cells.push_back({{"value", shown(factor * value)}, {"difference", r == 0 ? "" : difference(value, first)}});
-  }
-  return {{"name", name}, {"unit", unit}, {"cells", cells}};
-}
-
-struct Figure {
-  const char *name, *unit, *group, *key;  ///< group: the object of summary.json; empty: the top
-  double factor;
-};
-
-Json figures_view(const Runs& runs) {
-  static const Figure figures[] = {
-      {"Comfort, 0 to 4", "", "comfort", "score", 1.0},
-      {"Mean contact pressure", "Pa", "numbers", "mean_contact_pressure_Pa", 1.0},
-      {"Largest contact pressure", "Pa", "numbers", "max_contact_pressure_Pa", 1.0},
-      {"Largest displacement of the skin", "mm", "numbers", "max_skin_displacement_m", 1e3},
-      {"Contact force", "N", "balance", "contact_force_N", 1.0},
-      {"Contact area", "cm²", "numbers", "contact_area_m2", 1e4},
-      {"Law of Laplace", "Pa", "", "mean_laplace_pressure_Pa", 1.0},
-      {"Unknowns", "", "unknowns", "total", 1.0},
-      {"Newton iterations", "", "", "iterations", 1.0},
-      {"Time", "s", "", "seconds", 1.0},
-      {"Memory", "MB", "", "peak_memory_bytes", 1e-6},
-  };
-  Json rows = Json::array();
-  for (const Figure& figure : figures) {
-    const auto value = [&](const ShownRun& run) {
-      const Json* from = &run.summary;
-      if (*figure.group) {
-        const auto it = from->find(figure.group);
-        if (it == from->end() || !it->is_object()) return std::nan("");
-        from = &*it;
-      }
-      return value_at(*from, figure.key);
-    };
-    if (std::any_of(runs.begin(), runs.end(), [&](const ShownRun& run) { return std::isfinite(value(run)); }))
-      rows.push_back(row_of(figure.name, figure.unit, runs, figure.factor, value));
-  }
-  return rows;
-}
-
-const Json* location_row(const ShownRun& run, const std::string& name) {
-  const auto it = run.summary.find("locations");
-  if (it == run.summary.end()) return nullptr;
-  for (const Json& row : *it)
-    if (row.value("location", "") == name) return &row;
-  return nullptr;
-}
-
-Json locations_rows(const Runs& runs) {
-  std::vector<std::string> names;
-  for (const ShownRun& run : runs)
-    for (const Json& row : run.summary.value("locations", Json::array()))
-      if (const std::string name = row.value("location", "");
-          std::find(names.begin(), names.end(), name) == names.end())
-        names.push_back(name);
-  Json rows = Json::array();
-  for (const std::string& name : names) {
-    Json row = row_of(name, "", runs, 1.0, [&](const ShownRun& run) {
-      const Json* found = location_row(run, name);
-      return found ? value_at(*found, "mean_pressure_Pa") : std::nan("");
-    });
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-      const Json* found = location_row(runs[r], name);
-      const double rating = found ? value_at(*found, "rating") : std::nan("");
-      row["cells"][r]["rating"] =
-          std::isfinite(rating) ? fmt::format("{:.2f} {}", rating, found->value("term", "")) : std::string();
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
 
 /// "garment.fabric" -> "\"N85L15\"" of the lines of case.echo.toml; tables of a list are counted:
 /// body.layers.2.material.
@@ -177,10 +87,35 @@ Json maps_view(const Runs& runs) {
   return maps;
 }
 
+}  // namespace
+
+namespace {
+
+Json missing_view(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const Comparison::Missing& one : comparison.missing) rows.push_back({{"name", one.name}, {"message", one.message}});
+  return rows;
+}
+
+Runs read_runs(const Comparison& comparison) {
+  Runs runs;
+  for (const Comparison::Run& one : comparison.runs) {
+    runs.push_back(read_shown(one.out));
+    if (!one.name.empty()) runs.back().name = one.name;
+  }
+  make_names_distinct(runs);
+  return runs;
+}
+
+void put_list(Json& view, const char* name, Json rows) {
+  view[std::string("has_") + name] = !rows.empty();
+  view[name] = std::move(rows);
+}
+
 /// What the sections of a comparison show.
-Json view_of(const Runs& runs) {
+Json view_of(const Runs& runs, const Comparison& comparison) {
   Json view = {{"count", std::to_string(runs.size())}, {"first", runs.front().name}, {"style", style()}};
-  Json names = Json::array(), comforts = Json::array(), warnings = Json::array();
+  Json names = Json::array(), comforts = Json::array(), warnings = Json::array(), none = Json::array();
   std::string title;
   for (const ShownRun& run : runs) {
     title += (title.empty() ? "" : " · ") + run.name;
@@ -189,17 +124,23 @@ Json view_of(const Runs& runs) {
       warnings.push_back({{"name", run.name},
                           {"status", run.summary.value("status", "")},
                           {"message", run.summary.value("message", "")}});
+    if (const Json judged = run.summary.value("comfort", Json()); judged.is_object() && judged.contains("reason"))
+      none.push_back({{"name", run.name}, {"reason", judged.value("reason", "")}});
     Json comfort = comfort_view(run);
     if (comfort.is_null()) continue;
     comfort["name"] = run.name;
     comforts.push_back(comfort);
   }
-  view["names"] = title, view["runs"] = names, view["warnings"] = warnings;
-  view["figures"] = figures_view(runs);
-  view["settings"] = settings_rows(runs), view["has_settings"] = !view["settings"].empty();
-  view["locations"] = locations_rows(runs), view["has_locations"] = !view["locations"].empty();
-  view["comforts"] = comforts, view["has_comfort"] = !comforts.empty();
-  view["maps"] = maps_view(runs), view["has_maps"] = !view["maps"].empty();
+  view["names"] = comparison.title.empty() ? title : comparison.title, view["runs"] = names, view["warnings"] = warnings, view["missing"] = missing_view(comparison);
+  view["figures"] = compared_figures(runs);
+  view["sweep"] = sweep_view(runs, comparison.values, comparison.axis);
+  view["several"] = runs.size() > 1;
+  put_list(view, "settings", settings_rows(runs));
+  put_list(view, "locations", compared_locations(runs));
+  put_list(view, "fit", compared_fit(runs));
+  put_list(view, "wishes", compared_wishes(runs));
+  view["comforts"] = comforts, view["no_scores"] = none, view["has_comfort"] = !comforts.empty() || !none.empty();
+  put_list(view, "maps", maps_view(runs));
   return view;
 }
 
@@ -209,13 +150,35 @@ std::map<std::string, std::string_view> comparison_parts() {
 
 }  // namespace
 
-std::string comparison_page(const std::vector<fs::path>& outs) try {
-  Runs runs;
-  for (const fs::path& out : outs) runs.push_back(read_shown(out));
-  make_names_distinct(runs);
-  return fill(comparison_template(), view_of(runs), comparison_parts());
+std::string comparison_page(const std::vector<fs::path>& outs) {
+  Comparison comparison;
+  for (const fs::path& out : outs) comparison.runs.push_back({out, {}});
+  return comparison_page(comparison);
+}
+
+std::string comparison_page(const Comparison& comparison) try {
+  return fill(comparison_template(), view_of(read_runs(comparison), comparison), comparison_parts());
 } catch (const Json::exception& error) {
-  throw not_as_written(outs.front(), error);
+  throw not_as_written(comparison.runs.front().out, error);
+}
+
+std::string comparison_table(const Comparison& comparison) try {
+  const Runs runs = read_runs(comparison);
+  const std::vector<std::string> locations = compared_location_names(runs);
+  const bool values = !comparison.values.empty();
+  std::string text = csv_cell(values ? comparison.axis : "run") + ",status,mean_contact_pressure_Pa,max_contact_pressure_Pa,comfort";
+  for (const std::string& name : locations) text += "," + csv_cell(name + " [Pa]");
+  const auto cell = [&](double value) { text += std::isfinite(value) ? fmt::format(",{:.6g}", value) : ","; };
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Json numbers = runs[r].summary.value("numbers", Json::object()), comfort = runs[r].summary.value("comfort", Json());
+    text += "\n" + (values ? fmt::format("{:.9g}", comparison.values[r]) : csv_cell(runs[r].name)) + "," + csv_cell(runs[r].summary.value("status", ""));
+    cell(value_at(numbers, "mean_contact_pressure_Pa")), cell(value_at(numbers, "max_contact_pressure_Pa"));
+    cell(comfort.is_object() ? value_at(comfort, "score") : std::nan(""));
+    for (const std::string& name : locations) cell(location_pressure(runs[r], name));
+  }
+  return text + "\n";
+} catch (const Json::exception& error) {
+  throw not_as_written(comparison.runs.front().out, error);
 }
 
 std::string project_page(const ProjectView& project) {
@@ -232,7 +195,7 @@ std::string project_page(const ProjectView& project) {
   }
   Json view = Json::object();
   try {
-    if (!runs.empty()) view = view_of(runs);
+    if (!runs.empty()) view = view_of(runs, {});
   } catch (const Json::exception& error) {
     throw not_as_written(project.variants.front().results, error);
   }

@@ -25,9 +25,29 @@ std::string page(const StoredRun& run, const Pictures& pictures);
 /// result of a run.
 std::string page(const std::filesystem::path& out, const Pictures& pictures);
 
+/// Runs that are set side by side.
+struct Comparison {
+  struct Run {
+    std::filesystem::path out;
+    std::string name;  ///< empty: that of the directory
+  };
+  struct Missing {
+    std::string name, message;
+  };
+  std::vector<Run> runs;
+  std::vector<Missing> missing;  ///< that were asked for and have no results, with the reason
+  std::string title;             ///< empty: the names of the runs
+  std::string axis;              ///< of a sweep: its key with its unit
+  std::vector<double> values;    ///< of it, one a run; empty: no numbers were swept
+};
+
 /// A page that puts several results side by side: figures and their differences from the first, what differs in the
 /// cases, pressures by location, comfort, maps with one scale of colour. Needs one at least; throws as `page` does.
 std::string comparison_page(const std::vector<std::filesystem::path>& outs);
+std::string comparison_page(const Comparison& comparison);
+
+/// The same as a table for spreadsheets, a row a run: its value or name, status, mean and largest pressure, comfort, locations, sensors (SI).
+std::string comparison_table(const Comparison& comparison);
 
 /// One line of a specification: as printed, with its source.
 struct ProjectItem {

@@ -156,17 +156,6 @@ Json seam_rows_view(const Json& summary) {
   return rows;
 }
 
-Json profile_view(const Json& summary) {
-  Json rows = Json::array();
-  for (const Json& row : summary.value("pressure_profile", Json::array()))
-    rows.push_back({{"name", row.value("name", "")},
-                    {"wanted", number(value_at(row, "wanted_Pa"))},
-                    {"found", number(value_at(row, "found_Pa"))},
-                    {"mmHg", number(to_mmHg(value_at(row, "found_Pa")))},
-                    {"share", fmt::format("{:.1f}", 100.0 * value_at(row, "found_over_wanted"))}});
-  return rows;
-}
-
 Json texts_view(const Json& texts) {
   Json rows = Json::array();
   for (const Json& text : texts) rows.push_back({{"text", text.get<std::string>()}});
@@ -310,7 +299,11 @@ Json run_view(const ShownRun& run) {
   put_list(view, "fit", fit_view(summary));
   put_list(view, "piece_rows", piece_rows_view(summary));
   put_list(view, "seam_rows", seam_rows_view(summary));
-  put_list(view, "profile", profile_view(summary));
+  put_list(view, "profile", profile_view(run));
+  put_list(view, "sensors", sensors_view(run));
+  put_list(view, "thresholds", thresholds_view(run));
+  const Json judged = summary.value("comfort", Json());
+  view["no_score"] = judged.is_object() ? judged.value("reason", "") : "";
   put_list(view, "donning", donning_view(summary));
   put_list(view, "warnings", warnings_view(summary));
   put_list(view, "remedies", texts_view(summary.value("what_to_try", Json::array())));

@@ -12,6 +12,13 @@ Json run_view(const ShownRun& run);
 /// Rows of the location table; empty without locations.
 Json locations_view(const ShownRun& run);
 
+/// Where the pressures of locations lie among the chosen thresholds and classes.
+Json thresholds_view(const ShownRun& run);
+/// Pressures that are wanted and found: of a graduated tube, and of the case's [target].
+Json profile_view(const ShownRun& run);
+/// What sensors would read.
+Json sensors_view(const ShownRun& run);
+
 /// Gauge, memberships and rules; null without comfort.
 Json comfort_view(const ShownRun& run);
 

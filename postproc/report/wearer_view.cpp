@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "postproc/report/view.hpp"
+#include "postproc/units.hpp"
 
 namespace snug::postproc::report {
 
@@ -17,8 +18,8 @@ std::string percent(double share) { return fmt::format("{:.1f}", 100.0 * std::cl
 
 std::string note_of(const Json& row) {
   std::string note;
-  if (!row.value("significant", true)) note = "the trial found no effect of pressure here; the rating is its mean";
-  if (row.value("extrapolated", false)) note += std::string(note.empty() ? "" : "; ") + "outside the trial's pressures";
+  if (!row.value("significant", true) && std::isfinite(value_at(row, "rating"))) note = "the trial found no effect of pressure here; the rating is its mean";
+  if (row.value("extrapolated", false)) note += std::string(note.empty() ? "" : "; ") + "outside the trial’s pressures, nobody was asked: no rating";
   if (row.value("pressures_of", "") == "hem") note += std::string(note.empty() ? "" : "; ") + "a hem: no pressure beside it";
   return note;
 }
@@ -61,16 +62,6 @@ Json interval_view(const Json& comfort, const Scale& scale) {
           {"width_percent", percent(scale.share(high) - scale.share(low))},
           {"level", fmt::format("{:.0f}", 100.0 * value_at(*it, "level"))},
           {"without_scatter", listed(it->value("without_scatter", Json::array()))}};
-}
-
-Json thresholds_view(const Json& comfort) {
-  Json rows = Json::array();
-  for (const Json& row : comfort.value("thresholds", Json::array()))
-    rows.push_back({{"set", row.value("set", "")},
-                    {"location", row.value("location", "")},
-                    {"pressure", number(value_at(row, "pressure_Pa"))},
-                    {"verdict", row.value("verdict", "")}});
-  return rows;
 }
 
 Json rules_view(const Json& comfort) {
@@ -129,6 +120,7 @@ Json locations_view(const ShownRun& run) {
                  {"note", note_of(row)}};
     const double rating = value_at(row, "rating");
     view["rated"] = std::isfinite(rating);
+    view["unrated"] = row.value("extrapolated", false) ? "outside the trial" : "no curve or no cover";
     if (std::isfinite(rating)) {
       view["rating"] = fmt::format("{:.2f}", rating);
       const double error = value_at(row, "rating_error");
@@ -137,6 +129,45 @@ Json locations_view(const ShownRun& run) {
       view["term"] = row.value("term", "");
     }
     rows.push_back(view);
+  }
+  return rows;
+}
+
+Json thresholds_view(const ShownRun& run) {
+  const Json& of = run.summary.contains("thresholds") || !run.comfort.is_object() ? run.summary : run.comfort;
+  Json rows = Json::array();
+  for (const Json& row : of.value("thresholds", Json::array()))
+    rows.push_back({{"set", row.value("set", "")},
+                    {"location", row.value("location", "")},
+                    {"pressure", number(value_at(row, "pressure_Pa"))},
+                    {"mmHg", number(to_mmHg(value_at(row, "pressure_Pa")))},
+                    {"verdict", row.value("verdict", "")}});
+  return rows;
+}
+
+Json profile_view(const ShownRun& run) {
+  Json rows = Json::array();
+  for (const char* key : {"pressure_profile", "targets"})
+    for (const Json& row : run.summary.value(key, Json::array()))
+      rows.push_back({{"name", row.value("name", "")},
+                      {"wanted", number(value_at(row, "wanted_Pa"))},
+                      {"found", number(value_at(row, "found_Pa"))},
+                      {"mmHg", number(to_mmHg(value_at(row, "found_Pa")))},
+                      {"share", fmt::format("{:.1f}", 100.0 * value_at(row, "found_over_wanted"))}});
+  return rows;
+}
+
+Json sensors_view(const ShownRun& run) {
+  Json rows = Json::array();
+  for (const Json& row : run.summary.value("sensors", Json::array())) {
+    const double bulge = value_at(row, "bulge_Pa");
+    rows.push_back({{"name", row.value("name", "")},
+                    {"diameter", number(1e3 * value_at(row, "diameter_m"))},
+                    {"coverage", percent(value_at(row, "coverage"))},
+                    {"skin", number(value_at(row, "skin_pressure_Pa"))},
+                    {"bulge", std::isfinite(bulge) ? number(bulge) : "–"},
+                    {"reading", number(value_at(row, "reading_Pa"))},
+                    {"mmHg", number(value_at(row, "reading_mmHg"))}});
   }
   return rows;
 }
@@ -154,14 +185,11 @@ Json comfort_view(const ShownRun& run) {
   const Scale scale = scale_of(comfort);
   Json marks = Json::array();
   for (const auto& [value, name] : scale.marks) marks.push_back({{"name", name}, {"percent", percent(scale.share(value))}});
-  const Json thresholds = thresholds_view(comfort);
   return {{"score", fmt::format("{:.2f}", score)},
           {"percent", percent(scale.share(score))},
           {"scale", comfort.value("scale", "")},
           {"marks", marks},
           {"interval", interval_view(comfort, scale)},
-          {"thresholds", thresholds},
-          {"has_thresholds", !thresholds.empty()},
           {"source", comfort.value("curves_source", "")},
           {"left_out", listed(comfort.value("left_out", Json::array()))},
           {"silent", listed(comfort.value("inputs_without_rating", Json::array()))},

@@ -44,6 +44,7 @@ std::unique_ptr<Command> make_report();
 std::unique_ptr<Command> make_animate();
 std::unique_ptr<Command> make_study();
 std::unique_ptr<Command> make_design();
+std::unique_ptr<Command> make_size();
 std::unique_ptr<Command> make_convert();
 std::unique_ptr<Command> make_pattern();
 std::unique_ptr<Command> make_materials();

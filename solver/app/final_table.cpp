@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/input/suggestion.hpp"
@@ -18,8 +19,9 @@ using postproc::to_mmHg;
 
 std::string rating_text(const postproc::LocationRow& row) {
   std::string text = row.rating ? fmt::format("{:.2f} {}", *row.rating, row.term) : "-";
-  if (!row.significant) text += " (the trial found no effect of pressure here)";
-  if (row.extrapolated) text += " (outside the trial's pressures)";
+  if (row.rating && !row.significant) text += " (the trial found no effect of pressure here)";
+  if (row.extrapolated)
+    text += fmt::format(" ({} the trial's {:.0f} to {:.0f} Pa)", row.mean_pressure > row.trial_high ? "above" : "below", row.trial_low, row.trial_high);
   if (row.pressures_of == "hem") text += " (its cover is a hem: no pressure beside it)";
   return text;
 }
@@ -92,6 +94,17 @@ std::string pieces_text(const postproc::RunResult& run) {
   for (const postproc::ProfileRow& row : run.profile)
     text += fmt::format("  profile            {}, {:.4g} mm up: {:.0f} Pa, {:.2f} mmHg, {:.1f} % of the {:.0f} Pa it is made for\n", row.garment, 1e3 * row.height, row.found,
                         to_mmHg(row.found), 100.0 * row.found / row.wanted, row.wanted);
+  return text;
+}
+
+std::string sensors_text(const postproc::Evaluation& evaluation) {
+  std::string text;
+  for (const postproc::SensorRow& row : evaluation.sensors) {
+    text += fmt::format("  sensor             {}: {:.0f} Pa, {:.2f} mmHg over {:.4g} mm at ({:.0f}, {:.0f}, {:.0f}) mm", row.name, row.reading(), to_mmHg(row.reading()), 1e3 * row.diameter,
+                        1e3 * row.at.x(), 1e3 * row.at.y(), 1e3 * row.at.z());
+    if (row.coverage < 0.995) text += fmt::format(", {:.0f} % of it covered", 100.0 * row.coverage);
+    text += std::isfinite(row.bulge) ? fmt::format("; {:.0f} Pa of it by the bulge of its {:.3g} mm\n", row.bulge, 1e3 * row.thickness) : "\n";
+  }
   return text;
 }
 
@@ -183,9 +196,14 @@ std::string locations_text(const postproc::Evaluation& evaluation) {
     text += fmt::format("  {:<16} {:>5.0f} % {:>9.0f} {:>9.2f} {:>8.2f} {:>9.0f}  {}\n", row.name, row.coverage * 100.0,
                         row.mean_pressure, to_gf_cm2(row.mean_pressure), to_mmHg(row.mean_pressure), row.max_pressure,
                         rating_text(row));
+  if (std::any_of(evaluation.locations.begin(), evaluation.locations.end(), [](const auto& row) { return row.rating.has_value(); }))
+    text += "  ratings            0 neutral, 1 comfortable, 2 uncomfortable, 3 very, 4 extremely uncomfortable\n";
   for (const postproc::ThresholdRow& row : evaluation.thresholds)
     text += fmt::format("  {:<16} {} ({})\n", row.location, row.verdict, row.set);
+  for (const postproc::TargetRow& row : evaluation.targets)
+    text += fmt::format("  {:<16} {:.0f} Pa, {:.2f} mmHg, {:.1f} % of the {:.0f} Pa that it is to have\n", row.place, row.found, to_mmHg(row.found), 100.0 * row.found / row.wanted, row.wanted);
   if (evaluation.comfort) text += comfort_text(*evaluation.comfort);
+  if (!evaluation.no_score.empty()) text += fmt::format("  comfort            none: {}\n", evaluation.no_score);
   return text;
 }
 
@@ -194,7 +212,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, name_of(run.status),
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
-  text += locations_text(evaluation) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
+  text += locations_text(evaluation) + sensors_text(evaluation) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}{}\n", memory_text(run.peak_memory), memory_of_ranks(run));
   return text + fmt::format("  files              {}\n", out.string());
 }

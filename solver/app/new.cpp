@@ -1,6 +1,5 @@
 // snug new NAME --like CASE: a commented starter case.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/suggestion.hpp"
+#include "solver/app/case_copy.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/shipped_cases.hpp"
 
@@ -27,15 +27,6 @@ fs::path model_directory(const std::string& like) {
   throw input::InputError({"--like", 0, 0}, "there is no case \"" + like + "\"", input::did_you_mean(like, names));
 }
 
-bool belongs_to_the_copy(const fs::path& name) { return name != "out" && name != "expected.toml"; }
-
-void copy_case(const fs::path& from, const fs::path& to) {
-  fs::create_directories(to);
-  for (const auto& entry : fs::directory_iterator(from))
-    if (belongs_to_the_copy(entry.path().filename()))
-      fs::copy(entry.path(), to / entry.path().filename(), fs::copy_options::recursive);
-}
-
 class New : public Command {
  public:
   std::string name() const override { return "new"; }
@@ -50,12 +41,7 @@ class New : public Command {
 
   int execute() override {
     const fs::path from = model_directory(like_);
-    if (fs::exists(directory_))
-      throw input::InputError({directory_, 0, 0}, "this is there already",
-                              "choose another name; nothing is overwritten");
-    const std::string aside = directory_ + ".tmp-" + std::to_string(::getpid());
-    copy_case(from, aside);
-    fs::rename(aside, directory_);
+    copy_case(from, directory_);
     fmt::print("{} is a copy of {}. Next: edit {}/case.toml, then snug check {}\n", directory_, like_, directory_,
                directory_);
     return done;

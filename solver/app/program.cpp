@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -10,6 +11,7 @@
 #include <new>
 
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/suggestion.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/recorded_commands.hpp"
 
@@ -26,6 +28,7 @@ std::vector<std::unique_ptr<Command>> all_commands() {
   commands.push_back(make_animate());
   commands.push_back(make_study());
   commands.push_back(make_design());
+  commands.push_back(make_size());
   commands.push_back(make_convert());
   commands.push_back(make_pattern());
   commands.push_back(make_materials());
@@ -69,6 +72,29 @@ int execute(Command& command) {
   return internal_fault;
 }
 
+std::string without_value(const std::string& word) { return word.substr(0, word.find('=')); }
+
+/// What a word that nothing expects was likely meant to be: "; did you mean …"; empty where nothing is near.
+std::string likely(const CLI::App& program, int argc, char** argv) {
+  std::vector<std::string> commands;
+  for (const CLI::App* command : program.get_subcommands({})) commands.push_back(command->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto command = std::find(commands.begin(), commands.end(), first);
+  if (command == commands.end()) {
+    const std::string near = first.empty() || first[0] == '-' ? "" : input::nearest(first, commands);
+    return near.empty() ? "" : "; did you mean snug " + near + "?";
+  }
+  std::vector<std::string> options;
+  for (const CLI::Option* option : program.get_subcommand(first)->get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = without_value(argv[i]);
+    if (!word.starts_with("--") || std::find(options.begin(), options.end(), word) != options.end()) continue;
+    if (const std::string near = input::nearest(word, options); !near.empty()) return "; did you mean " + near + "?";
+  }
+  return "";
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
@@ -84,7 +110,9 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::Success& asked) {  // --help, --version
     return program.exit(asked);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "snug: error: {}; snug --help and snug COMMAND --help tell what can be written\n", error.what());
+    const bool no_command = argc > 1 && argv[1][0] != '-' && std::none_of(commands.begin(), commands.end(), [&](const auto& command) { return command->name() == argv[1]; });
+    fmt::print(stderr, "snug: error: {}{}; snug --help and snug COMMAND --help tell what can be written\n",
+               no_command ? fmt::format("there is no command \"{}\"", argv[1]) : std::string(error.what()), likely(program, argc, argv));
     return input_wrong;
   }
   for (const auto& command : commands)

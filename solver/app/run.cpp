@@ -15,6 +15,7 @@
 #include "postproc/recorders.hpp"
 #include "postproc/store.hpp"
 #include "solver/algebra/communicator.hpp"
+#include "solver/app/batch/batch.hpp"
 #include "solver/app/checkpoint.hpp"
 #include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
@@ -51,7 +52,7 @@ postproc::StoredRun write_all(const postproc::RunResult& run, const postproc::Ev
                               OutputDirectory& out) {
   postproc::StoredRun stored = postproc::stored_run(run, evaluation, provenance_of(prepared), out.target());
   postproc::write_results(run, evaluation, stored, out.aside());
-  stored.echo = solver::echo_text(prepared.model);
+  stored.echo = solver::echo_text(prepared.model) + input::echo_text(prepared.jobs);
   input::write_file(out.aside() / "case.echo.toml", stored.echo);
   return stored;
 }
@@ -94,19 +95,28 @@ class Run : public Command {
         ->type_name("SECONDS")
         ->check(CLI::Range(0.0, 1e9));
     app.add_flag("--quiet", quiet_, "say nothing but errors and warnings");
+    app.add_option("--variant", variants_, "only the [[variant]] of this name; may be repeated (left out: all that the case has)")->type_name("NAME")->allow_extra_args(false);
+    app.add_option("--sweep", sweeps_, "a run for each value: \"garment.position=40 mm:80 mm:5\", or KEY=A,B,C; repeated: every combination")
+        ->type_name("KEY=FROM:TO:N")
+        ->allow_extra_args(false);
+    app.add_option("--jobs", jobs_, "of several runs so many at a time (as many as there are cores)")->check(CLI::Range(1, 1024));
     app.add_option("--rank-status", status_file_)->group("");  // of the launcher of ranks
     app.footer("Ctrl-C, SIGTERM: the running step is given up, what converged is written as partial, exit status 130 or 143; a second one\n"
                "ends at once and leaves the earlier results. A run of over a minute can be gone on from with --resume; its answer is the same.");
   }
 
   int execute() override {
-    if (!out_.empty() && directories_.size() > 1)
-      throw input::InputError({"--out", 0, 0}, "one place is given for several cases",
-                              "run them one by one, or leave --out out");
     if (resume_ && states_ > 0)
       throw input::InputError({"--resume", 0, 0}, "--states keeps the states of the whole path", "run from the beginning, or leave --states out");
+    const BatchRequest batch = batch_request();
+    if (const solver::Launcher launcher = solver::launcher(); launcher.there && launcher.processes != 1) {
+      if (batch.varies())
+        throw input::InputError({"snug run", 0, 0}, "a launcher has started several processes for several runs", "start one run at a time with mpirun or srun, or leave the launcher out");
+      cleaner_.emplace();
+      return run_as_rank(launcher);
+    }
+    if (batch.several()) return run_batch(batch);
     cleaner_.emplace();
-    if (const solver::Launcher launcher = solver::launcher(); launcher.there && launcher.processes != 1) return run_as_rank(launcher);
     if (const int ranks = ranks_ > 0 ? ranks_ : chosen_ranks(); ranks > 1) {
       for (const std::string& directory : directories_) options_.read(directory);  // what is wrong is said once
       return launch_ranks(ranks, *cleaner_);
@@ -116,9 +126,19 @@ class Run : public Command {
   }
 
  private:
-  /// Several cases are run one after the other by this process.
+  /// Options of every run of several.
+  BatchRequest batch_request() const {
+    BatchRequest request{.directories = directories_, .options = options_, .out = out_, .sweeps = sweeps_, .variants = variants_, .words = {}, .ranks = ranks_, .jobs = jobs_, .quiet = quiet_, .page = !no_report_};
+    const auto pass = [&](bool given, std::initializer_list<std::string> words) {
+      if (given) request.words.insert(request.words.end(), words);
+    };
+    pass(pictures_, {"--pictures"}), pass(no_report_, {"--no-report"});
+    pass(states_ > 0, {"--states", std::to_string(states_)}), pass(resume_, {"--resume"}), pass(interval_ != 60.0, {"--checkpoint", std::to_string(interval_)});
+    return request;
+  }
+
   int chosen_ranks() const {
-    return directories_.size() == 1 && mpirun_is_there() ? solver::usual_ranks(options_.read(directories_.front()), std::thread::hardware_concurrency(), solver::memory_of_machine()) : 1;
+    return mpirun_is_there() ? solver::usual_ranks(options_.read(directories_.front()), std::thread::hardware_concurrency(), solver::memory_of_machine()) : 1;
   }
 
   int run_all() {
@@ -218,7 +238,7 @@ class Run : public Command {
     // Nothing converged: the pressures mean nothing.
     const auto evaluation = nothing
                                 ? postproc::Evaluation{}
-                                : postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
+                                : solver::evaluate(prepared, run);
     postproc::StoredRun stored = write_all(run, evaluation, prepared, out);
     states.list(out.aside());
     const int regression = nothing ? done : regress(references, stored, out);
@@ -295,7 +315,8 @@ class Run : public Command {
   CaseOptions options_;
   RecordingOptions recording_;
   std::string out_, status_file_;
-  int ranks_ = 0, states_ = 0;  // no ranks given: 0
+  std::vector<std::string> variants_, sweeps_;
+  int ranks_ = 0, states_ = 0, jobs_ = 0;  // no ranks given: 0
   double interval_ = 60.0;
   bool quiet_ = false, pictures_ = false, no_report_ = false, resume_ = false;
   bool writes_ = true;   ///< rank 0

@@ -18,6 +18,7 @@
 #include "solver/library/graduated.hpp"
 #include "solver/library/named_materials.hpp"
 #include "solver/library/plausibility.hpp"
+#include "solver/library/sensor.hpp"
 #include "solver/library/size_estimate.hpp"
 #include "solver/scene/garment_cells.hpp"
 #include "solver/scene/layers.hpp"
@@ -202,6 +203,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   PreparedCase prepared;
   const Stopwatch reading;
   prepared.description = input::read_case(directory, options.reading);
+  prepared.jobs = input::read_jobs(directory, options.reading);
   std::vector<mesh::GarmentCut> cuts = read_cuts(prepared.description);
   resolve_materials(prepared.description, options.library);
   make_model(prepared.description);  // names that are wrong should be said before minutes of meshing
@@ -211,6 +213,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
   prepared.meshes = make_body(prepared.description, cuts, options.gmsh, prepared.memory_limit);
   prepared.model = make_model(prepared.description, prepared.meshes.body);
+  sensor_places(prepared.jobs.sensors, prepared.description, prepared.meshes.body);  // one beside the skin is told before the solve
   cut_graduated(cuts, prepared);
   mesh_garments(cuts, prepared);
   prepared.quality = mesh::quality(prepared.meshes.body);
@@ -236,6 +239,13 @@ postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer
   }
   run.phases.insert(run.phases.begin(), prepared.phases.begin(), prepared.phases.end());
   return run;
+}
+
+postproc::Evaluation evaluate(const PreparedCase& prepared, const postproc::RunResult& run) {
+  postproc::Evaluation evaluation = postproc::evaluate(run, prepared.description.comfort, prepared.description.directory);
+  if (prepared.jobs.target) evaluation.targets = postproc::target_rows(run, evaluation.locations, *prepared.jobs.target);
+  evaluation.sensors = sensor_rows(prepared.jobs.sensors, prepared.model, prepared.meshes, run);
+  return evaluation;
 }
 
 }  // namespace snug::solver

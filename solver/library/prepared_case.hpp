@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "cases/input/case.hpp"
+#include "cases/input/job_spec.hpp"
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/formats/gmsh_file.hpp"
-#include "postproc/result.hpp"
+#include "postproc/evaluate.hpp"
 #include "solver/scene/run.hpp"
 
 namespace snug::solver {
@@ -23,6 +23,7 @@ struct PrepareOptions {
 /// A case made ready to be solved: read, meshed, its materials looked up.
 struct PreparedCase {
   input::Case description;
+  input::Jobs jobs;                     ///< what it asks beside its answer
   Model model;
   Meshes meshes;
   std::vector<mesh::QualityRow> quality;
@@ -40,5 +41,8 @@ Plan plan(const PreparedCase& prepared);
 /// Solves it; as solve in solver/scene/run.hpp, and `phases` begins with reading and meshing. A Session has to live.
 postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer = {}, const KeptStates& kept = {}, const Stop& stop = {},
                           Journal* journal = nullptr);
+
+/// What the answer means: pressures by location, comfort, what is wanted and found, what sensors would read. Throws input::InputError.
+postproc::Evaluation evaluate(const PreparedCase& prepared, const postproc::RunResult& run);
 
 }  // namespace snug::solver

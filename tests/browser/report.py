@@ -1,4 +1,4 @@
-"""Opens report.html in a real browser: the maps are drawn, picking reads the pressures of skin.csv, nothing is requested.
+"""Opens report.html and compare.html in a real browser: maps and lines are drawn, picking reads the pressures of skin.csv, nothing is requested.
 
 usage: report.py SNUG SOURCE FOLDER      the program, the repository, a folder for results and screenshots
 Exit status 77: Chromium or its driver is not installed (scripts/setup --browser).
@@ -99,6 +99,32 @@ class Report(unittest.TestCase):
         self.browser.screenshot(FOLDER / "page.png")
         width, inner = self.browser.run("return [document.documentElement.scrollWidth, window.innerWidth]")
         self.assertLessEqual(width, inner)
+
+
+class Sweep(unittest.TestCase):
+    """compare.html of three circumferences by the law of Laplace, beside results of an earlier run."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.out = FOLDER / "sweep"
+        shutil.rmtree(cls.out, ignore_errors=True)
+        subprocess.run([SNUG, "run", SOURCE / "cases/thigh-sleeve", "--quiet", "--no-report", "--tier", "L0", "--out", cls.out], check=True)
+        subprocess.run([SNUG, "run", SOURCE / "cases/thigh-sleeve", "--quiet", "--tier", "L0", "--out", cls.out,
+                        "--sweep", "garment.pattern.flat_circumference=400 mm:430 mm:3", *COARSE], check=True)
+
+    def test_the_page_fits_every_screen_and_draws_its_lines(self):
+        """At 1400, 800 and 400 px nothing is wider than the window and nothing leaves the page; a line a location has a dot a value."""
+        for width in (1400, 800, 400):
+            with Browser(width, 1200) as browser:
+                browser.open("about:blank")
+                browser.log("performance")
+                browser.open(f"file://{self.out}/compare.html")
+                self.assertEqual([a for a in browser.requests() if not a.startswith(("data:", "blob:"))], [f"file://{self.out}/compare.html"])
+                page, inner = browser.run("return [document.documentElement.scrollWidth, window.innerWidth]")
+                self.assertLessEqual(page, inner, width)
+                lines, dots = browser.run("return [document.querySelectorAll('#sweep polyline').length, document.querySelectorAll('#sweep circle').length]")
+                self.assertEqual((lines, dots), (5, 15))  # four locations and the whole cover
+                browser.screenshot(FOLDER / f"compare-{width}.png")
 
 
 if __name__ == "__main__":
