@@ -121,6 +121,7 @@ Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem:
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory) {
   const BodyResult& body = run.body;
+  if (!body.fields.has(field::contact_pressure)) return {};  // the tier tells none
   const std::vector<double>* known = body.fields.find(field::skin_area);  // of the contact
   const std::vector<double> areas = known ? *known : nodal_areas(body.skin_facets, body.nodes.size(), nodes_now(body));
   Evaluation evaluation;

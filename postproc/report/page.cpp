@@ -11,13 +11,16 @@ namespace {
 
 constexpr double drawing_width = 760.0;  // px of the drawings without their labels
 
+/// Some tiers give the shape of cloth alone.
+bool knows_pressure(const ShownRun& run) { return run.body_grid && run.body_grid->fields.has(field::contact_pressure); }
+
 std::string page_of(const ShownRun& run, const Pictures& pictures) {
   const PressureScale scale = run.skin ? pressure_scale({&*run.skin}) : PressureScale{};
   Json view = run_view(run);
   view["locations"] = locations_view(run);
   view["has_locations"] = !view["locations"].empty();
   view["comfort"] = comfort_view(run);
-  view["map"] = map_view(run, scale, drawing_width);
+  view["map"] = knows_pressure(run) ? map_view(run, scale, drawing_width) : nullptr;
   if (view["map"].is_object()) view["map"]["id"] = "map-0";
   view["pieces"] = pieces_view(run, drawing_width);
   view["convergence"] = convergence_view(run, drawing_width);
