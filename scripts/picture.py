@@ -247,6 +247,15 @@ def tension_row(sheet, skin, edge, function, name):
     return actors, function, f"tension, {name.split('_')[1]}\nN/m"
 
 
+def shape_row(sheet, skin, edge):
+    """Cloth in one colour, lit from where it is seen: its folds."""
+    cloth = plain(sheet, (0.45, 0.58, 0.70), depth_steps=40000)
+    cloth.GetProperty().SetAmbient(0.15)
+    cloth.GetProperty().SetDiffuse(0.9)
+    actors = [cloth, edge] + ([plain(skin, (0.88, 0.86, 0.84))] if skin else [])
+    return actors, None, "shape"
+
+
 def carrying(sheet):
     """The thread system that carries the garment: the one with the larger maximum, and that."""
     return max((array_of(sheet, n)[0].GetRange()[1], n) for n in ("tension_warp", "tension_weft"))
@@ -263,7 +272,8 @@ def render(rows, bounds, width, views):
     for i, (actors, function, title) in enumerate(rows):
         bottom, top = 1 - (i + 1) / len(rows), 1 - i / len(rows)
         row(window, actors, bounds, bottom, top, 1 - bar, size, views)
-        colour_bar(window, function, title, (1 - bar, bottom, 1.0, top), size)
+        if function:
+            colour_bar(window, function, title, (1 - bar, bottom, 1.0, top), size)
     window.Render()
     return window
 
@@ -301,11 +311,19 @@ def main():
         scale(skin, "contact_pressure", PASCAL_PER_UNIT[unit])
         top = round_up(max(largest_inside(skin), 1e-3))
         rows.append(pressure_row(skin, edge, colours(heat, top), unit, top))
+    elif sheet:
+        rows.append(shape_row(sheet, skin, edge))
     if sheet:
         top, name = carrying(sheet)
         rows.append(tension_row(sheet, skin, edge, colours(cool, round_up(max(top, 1e-3))), name))
     out = arguments.out or arguments.result / "picture.png"
-    save(render(rows, (skin or sheet).GetBounds(), arguments.width, VIEWS), out)
+    box = vtk.vtkBoundingBox()
+    for part in (skin, sheet):
+        if part:
+            box.AddBounds(part.GetBounds())
+    bounds = [0.0] * 6
+    box.GetBounds(bounds)
+    save(render(rows, bounds, arguments.width, VIEWS), out)
     print(out)
 
 

@@ -39,31 +39,77 @@ void check(const ClothSheet& sheet) {
     if (!(triangle.area() > 0.0)) throw std::invalid_argument("a triangle of cloth is turned over");
 }
 
-/// Steps are long and their minimum is looked for as well as a resting shape needs it, which is judged by itself.
-constexpr MinimumSearch search{.tolerance = 1e-5, .iterations = 12, .take_what_there_is = true};
+/// Its energy is quadratic in the places.
+Eigen::SparseMatrix<double> bending_of(const ClothSheet& sheet, std::size_t particles) {
+  const auto neighbours = neighbours_of(sheet.triangles);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    const ClothLaws& laws = sheet.laws[sheet.triangle_laws.empty() ? 0 : sheet.triangle_laws[t]];
+    if (!(laws.bending_warp > 0.0) || !(laws.bending_weft > 0.0)) continue;
+    for (const BendingPart& part :
+         bending_parts(sheet.triangles[t], neighbours[t], laws.bending_warp, laws.bending_weft))
+      for (const Weight& one : part.weights)
+        for (const Weight& other : part.weights)
+          entries.emplace_back(one.particle, other.particle, part.stiffness * one.weight * other.weight);
+  }
+  Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(particles), static_cast<Eigen::Index>(particles));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
 
 }  // namespace
 
-ParticleCloth::ParticleCloth(ClothSheet sheet, Places places, std::vector<HeldComponents> held)
+ParticleCloth::ParticleCloth(ClothSheet sheet, Places places, std::vector<HeldComponents> held,
+                             MinimumSearch search)
     : ImplicitParticles(places, std::move(held), masses(sheet, places.size()),
                         lumped(sheet, places.size(), [&](std::size_t) { return sheet.drag; }), sheet.gravity, search),
       sheet_(std::move(sheet)) {
   check(sheet_);
   area_ = lumped(sheet_, places.size(), [](std::size_t) { return 1.0; });
-  const auto neighbours = neighbours_of(sheet_.triangles);
-  for (std::size_t t = 0; t < sheet_.triangles.size(); ++t) {
-    const FlatTriangle& triangle = sheet_.triangles[t];
+  for (const FlatTriangle& triangle : sheet_.triangles) {
     const auto slopes = triangle.gradients();
     Directions& along = directions_.emplace_back();
     along.area = triangle.area();
-    for (int a = 0; a < 3; ++a)
-      along.warp[a] = {triangle.particles[a], slopes[a].x()}, along.weft[a] = {triangle.particles[a], slopes[a].y()};
-    const ClothLaws& laws = laws_of(t);
-    if (!(laws.bending_warp > 0.0) || !(laws.bending_weft > 0.0)) continue;
-    for (BendingPart& part : bending_parts(triangle, neighbours[t], laws.bending_warp, laws.bending_weft))
-      bending_.push_back(std::move(part));
+    for (int a = 0; a < 3; ++a) along.warp[a] = {a, slopes[a].x()}, along.weft[a] = {a, slopes[a].y()};
   }
+  bending_ = bending_of(sheet_, places.size());
   find_planes();
+}
+
+/// Of every triangle with its own three corners first: nine entries of a pair of them are one then.
+void ParticleCloth::add_strained(bool stretch, bool shear, const Places& x, ForceSum& into) const {
+  ForceSum own(3, into.second);
+  Places corners(3);
+  for (std::size_t t = 0; t < directions_.size(); ++t) {
+    const Directions& along = directions_[t];
+    const std::array<int, 3>& particles = sheet_.triangles[t].particles;
+    for (int a = 0; a < 3; ++a) corners[a] = x[particles[a]], own.gradient[a].setZero();
+    own.energy = 0.0;
+    own.entries.clear();
+    if (stretch) own.add_stretch(along.warp, corners, 1.0, along.area, laws_of(t).warp);
+    if (stretch) own.add_stretch(along.weft, corners, 1.0, along.area, laws_of(t).weft);
+    if (shear) own.add_shear(along.warp, along.weft, corners, along.area * laws_of(t).shear);
+    into.energy += own.energy;
+    for (int a = 0; a < 3; ++a) into.gradient[particles[a]] += own.gradient[a];
+    if (!into.second) continue;
+    Eigen::Matrix<double, 9, 9> second = Eigen::Matrix<double, 9, 9>::Zero();
+    for (const auto& entry : own.entries) second(entry.row(), entry.col()) += entry.value();
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) into.add_block(particles[a], particles[b], second.block<3, 3>(3 * a, 3 * b));
+  }
+}
+
+void ParticleCloth::add_bending(const Places& x, ForceSum& into) const {
+  for (int n = 0; n < bending_.outerSize(); ++n) {
+    Vector3d slope = Vector3d::Zero();
+    for (Eigen::SparseMatrix<double>::InnerIterator it(bending_, n); it; ++it) {
+      slope += it.value() * x[it.row()];
+      for (int c = 0; into.second && c < 3; ++c)
+        into.entries.emplace_back(3 * static_cast<int>(it.row()) + c, 3 * n + c, it.value());
+    }
+    into.energy += 0.5 * slope.dot(x[n]);
+    into.gradient[n] += slope;
+  }
 }
 
 void ParticleCloth::add_pressing(const Places& x, ForceSum& into) const {
@@ -101,18 +147,11 @@ void ParticleCloth::add_friction(const Places& x, ForceSum& into) const {
 void ParticleCloth::add(ClothForce kind, const Places& x, ForceSum& into) const {
   switch (kind) {
     case ClothForce::stretch:
-      for (std::size_t t = 0; t < directions_.size(); ++t) {
-        into.add_stretch(directions_[t].warp, x, 1.0, directions_[t].area, laws_of(t).warp);
-        into.add_stretch(directions_[t].weft, x, 1.0, directions_[t].area, laws_of(t).weft);
-      }
-      return;
+      return add_strained(true, false, x, into);
     case ClothForce::shear:
-      for (std::size_t t = 0; t < directions_.size(); ++t)
-        into.add_shear(directions_[t].warp, directions_[t].weft, x, directions_[t].area * laws_of(t).shear);
-      return;
+      return add_strained(false, true, x, into);
     case ClothForce::bending:
-      for (const BendingPart& part : bending_) into.add_difference(part.weights, x, part.stiffness);
-      return;
+      return add_bending(x, into);
     case ClothForce::band:
       for (const ElasticLine& band : sheet_.bands)
         into.add_stretch(std::array{Weight{band.a, -1.0}, Weight{band.b, 1.0}}, x, band.length, band.length,
@@ -131,8 +170,8 @@ void ParticleCloth::add(ClothForce kind, const Places& x, ForceSum& into) const 
 }
 
 void ParticleCloth::add_laws(const Places& x, ForceSum& into) const {
-  for (const ClothForce kind : {ClothForce::stretch, ClothForce::shear, ClothForce::bending, ClothForce::band,
-                                ClothForce::pressing, ClothForce::friction})
+  add_strained(true, true, x, into);
+  for (const ClothForce kind : {ClothForce::bending, ClothForce::band, ClothForce::pressing, ClothForce::friction})
     add(kind, x, into);
 }
 
@@ -177,7 +216,9 @@ double ParticleCloth::penetration() const {
 
 ParticleCloth::Strained ParticleCloth::strained(int triangle) const {
   const Directions& along = directions_[triangle];
-  const Vector3d warp = weighted_sum(along.warp, places()), weft = weighted_sum(along.weft, places());
+  Places corners;
+  for (const int n : sheet_.triangles[triangle].particles) corners.push_back(places()[n]);
+  const Vector3d warp = weighted_sum(along.warp, corners), weft = weighted_sum(along.weft, corners);
   const ClothLaws& laws = laws_of(triangle);
   const Vector2d stretch(warp.norm(), weft.norm());
   return {stretch,

@@ -51,7 +51,9 @@ class ParticleCloth : public ImplicitParticles {
  public:
   /// Places of the particles (m), which begin at rest. Throws std::invalid_argument where numbers do not fit, a
   /// particle has no triangle, or a triangle is turned over on the flat cloth.
-  ParticleCloth(ClothSheet sheet, Places places, std::vector<HeldComponents> held);
+  /// `search`: left out, as well as a resting shape needs it, which is judged by itself (`total_forces`).
+  ParticleCloth(ClothSheet sheet, Places places, std::vector<HeldComponents> held,
+                MinimumSearch search = {.tolerance = 1e-4, .iterations = 6, .take_what_there_is = true});
 
   /// N, of one kind on every particle.
   Places forces(ClothForce kind) const;
@@ -78,6 +80,8 @@ class ParticleCloth : public ImplicitParticles {
   void add_laws(const Places& x, ForceSum& into) const override;
   void arrive() override;
   void add(ClothForce kind, const Places& x, ForceSum& into) const;
+  void add_strained(bool stretch, bool shear, const Places& x, ForceSum& into) const;
+  void add_bending(const Places& x, ForceSum& into) const;
   void add_pressing(const Places& x, ForceSum& into) const;
   void add_friction(const Places& x, ForceSum& into) const;
   void find_planes();
@@ -86,12 +90,12 @@ class ParticleCloth : public ImplicitParticles {
   }
 
   ClothSheet sheet_;
-  struct Directions {
+  struct Directions {  // weights of a triangle's own corners
     std::array<Weight, 3> warp, weft;
     double area = 0.0;
   };
-  std::vector<Directions> directions_;  // of the triangles
-  std::vector<BendingPart> bending_;
+  std::vector<Directions> directions_;   // of the triangles
+  Eigen::SparseMatrix<double> bending_;  // N/m: its energy is x^T K x/2 for each component of the places
   std::vector<double> area_;
   std::vector<Plane> planes_;  // of the particles; none without a body
 };

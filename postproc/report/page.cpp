@@ -11,9 +11,6 @@ namespace {
 
 constexpr double drawing_width = 760.0;  // px of the drawings without their labels
 
-/// Some tiers give the shape of cloth alone.
-bool knows_pressure(const ShownRun& run) { return run.body_grid && run.body_grid->fields.has(field::contact_pressure); }
-
 std::string page_of(const ShownRun& run, const Pictures& pictures) {
   const PressureScale scale = run.skin ? pressure_scale({&*run.skin}) : PressureScale{};
   Json view = run_view(run);
