@@ -54,6 +54,7 @@ class Drape {
   }
 
   void fill() { fill_particle_result(scene_, model_, meshes_, result_); }
+  int iterations() const { return scene_.cloth->iterations(); }
   void remember() { remembers_ = true, shapes_.push_back(scene_.cloth->places()), way_.push_back(0.0); }
 
  private:
@@ -141,7 +142,7 @@ void drape(const Model& model, const Meshes& meshes, const KeptStates& kept, con
   log.phase("set-up");
   if (kept.steps > 0) run.remember();
   run.fall();
-  result.iterations = static_cast<int>(result.history.size());
+  result.iterations = run.iterations();
   log.phase("draping");
   run.fill();
   run.keep(kept);
