@@ -126,7 +126,8 @@ TEST(LooseCloth, AsParticlesItIsConvergedAtRestOnly) {
   const solver::Meshes meshes = make_meshes(c);
   const auto fall = [&](int steps) {
     postproc::RunResult result;
-    solver::RunLog log(result, {});
+    const solver::Observer nobody;
+    solver::RunLog log(result, nobody);
     solver::drape(solver::make_model(c, meshes.body), meshes, {}, {}, log, result, {.steps = steps});
     return result;
   };
