@@ -1,6 +1,6 @@
 #include "mesh/particles/bending_patch.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <map>
@@ -8,10 +8,7 @@
 
 namespace snug::mesh {
 
-using Eigen::Matrix3d;
-using Eigen::MatrixXd;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 namespace {
 
@@ -23,25 +20,6 @@ std::array<double, 3> barycentric(const FlatTriangle& t, const Vector2d& p) {
   std::array<double, 3> shares{};
   for (int a = 0; a < 3; ++a) shares[a] = slopes[a].dot(p - t.flat[a]) + 1.0;
   return shares;
-}
-
-/// The corners across the other sides of a neighbour of triangle t, where it lies in the plane of t.
-void add_beyond(const std::vector<FlatTriangle>& triangles, const std::vector<std::vector<Neighbour>>& beside, int t,
-                const Neighbour& first, std::vector<Neighbour>& into) {
-  constexpr double weight = 0.1;
-  const FlatTriangle &mine = triangles[t], &between = triangles[first.triangle];
-  std::array<Vector2d, 3> corners;  // of the neighbour, in the plane of t
-  for (int a = 0; a < 3; ++a) {
-    corners[a] = first.flat;
-    for (int b = 0; b < 3; ++b)
-      if (between.particles[a] == mine.particles[b]) corners[a] = mine.flat[b];
-  }
-  for (const Neighbour& next : beside[first.triangle]) {
-    if (next.triangle == t) continue;
-    const std::array<double, 3> shares = barycentric(between, next.flat);
-    into.push_back({next.particle, next.triangle,
-                    shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2], weight});
-  }
 }
 
 }  // namespace
@@ -79,61 +57,32 @@ std::vector<std::vector<Neighbour>> neighbours_of(const std::vector<FlatTriangle
                  off = std::abs(cross(along, top - from)) / along.norm();
     const Vector2d outwards = Vector2d(way.y(), -way.x()).normalized();
     result[here.triangle].push_back(
-        {other.particles[(there.first + 2) % 3], there.triangle, begin + share * way + off * outwards, 1.0});
+        {other.particles[(there.first + 2) % 3], here.first, begin + share * way + off * outwards});
   };
   for (const auto& [ends, of] : sides)
     if (of.size() == 2) unfold(of[0], of[1]), unfold(of[1], of[0]);
-  const std::vector<std::vector<Neighbour>> beside = result;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (beside[t].size() < 3)
-      for (const Neighbour& first : beside[t]) add_beyond(triangles, beside, static_cast<int>(t), first, result[t]);
   return result;
 }
 
 std::vector<BendingPart> bending_parts(const FlatTriangle& triangle, const std::vector<Neighbour>& neighbours,
                                        double bending_warp, double bending_weft) {
-  const auto count = static_cast<Eigen::Index>(neighbours.size());
-  if (count == 0) return {};
-  // How far a neighbour lies off the plane of the triangle by the second derivatives (11, 22, 12).
-  MatrixXd by_curvature(count, 3);
-  std::vector<std::vector<Weight>> off;
-  Eigen::VectorXd weight(count);
+  const double area = triangle.area();
+  const std::array<double, 3> stiffness = {bending_warp, bending_weft, 2.0 * std::sqrt(bending_warp * bending_weft)};
+  std::vector<BendingPart> parts(3);
+  for (int k = 0; k < 3; ++k) parts[k].stiffness = area * stiffness[k];
   for (const Neighbour& neighbour : neighbours) {
-    const std::array<double, 3> shares = barycentric(triangle, neighbour.flat);
-    Eigen::Matrix2d second = neighbour.flat * neighbour.flat.transpose();
-    const auto row = static_cast<Eigen::Index>(off.size());
-    off.push_back({{neighbour.particle, 1.0}});
-    for (int a = 0; a < 3; ++a) {
-      second -= shares[a] * triangle.flat[a] * triangle.flat[a].transpose();
-      off.back().push_back({triangle.particles[a], -shares[a]});
+    const Vector2d begin = triangle.flat[neighbour.side], way = triangle.flat[(neighbour.side + 1) % 3] - begin;
+    const Vector2d normal = Vector2d(way.y(), -way.x()).normalized();
+    // The jump of the slope times this is how far the neighbour lies off the plane of the triangle.
+    const double high = normal.dot(neighbour.flat - begin), factor = way.norm() / (2.0 * area * high);
+    const std::array<double, 3> shares = {normal.x() * normal.x(), normal.y() * normal.y(), normal.x() * normal.y()};
+    const std::array<double, 3> plane = barycentric(triangle, neighbour.flat);
+    for (int k = 0; k < 3; ++k) {
+      parts[k].weights.push_back({neighbour.particle, factor * shares[k]});
+      for (int a = 0; a < 3; ++a) parts[k].weights.push_back({triangle.particles[a], -factor * shares[k] * plane[a]});
     }
-    by_curvature.row(row) = Vector3d(0.5 * second(0, 0), 0.5 * second(1, 1), second(0, 1)).transpose();
-    weight[row] = neighbour.weight;
   }
-  const Vector3d stiffness =
-      triangle.area() * Vector3d(bending_warp, bending_weft, 2.0 * std::sqrt(bending_warp * bending_weft));
-  std::vector<BendingPart> parts;
-  const auto add = [&](const Eigen::RowVectorXd& shares, double of) {
-    BendingPart& part = parts.emplace_back();
-    part.stiffness = of;
-    for (Eigen::Index e = 0; e < count; ++e)
-      for (const Weight& one : off[e]) part.weights.push_back({one.particle, shares[e] * one.weight});
-  };
-  // The least squares of all; six points on a conic, or fewer, do not tell a quadratic.
-  constexpr double well_told = 0.02;
-  const Eigen::JacobiSVD<MatrixXd> fit(weight.asDiagonal() * by_curvature, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  if (count >= 3 && fit.singularValues()[2] > well_told * fit.singularValues()[0]) {
-    const MatrixXd told = fit.solve(MatrixXd(weight.asDiagonal()));
-    for (int k = 0; k < 3; ++k) add(told.row(k), stiffness[k]);
-    return parts;
-  }
-  // Least energy of all second derivatives with these distances: (H C^-1 H^T)^-1, of what the neighbours tell.
-  const MatrixXd compliance = by_curvature * stiffness.cwiseInverse().asDiagonal() * by_curvature.transpose();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> own(compliance);
-  constexpr double least_share = 1e-3;
-  for (Eigen::Index k = 0; k < count; ++k)
-    if (const double give = own.eigenvalues()[k]; give > least_share * own.eigenvalues()[count - 1])
-      add(own.eigenvectors().col(k).transpose(), 1.0 / give);
+  if (neighbours.empty()) parts.clear();
   return parts;
 }
 

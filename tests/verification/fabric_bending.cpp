@@ -152,8 +152,8 @@ TEST(FabricBending, AStripOfParticlesSagsAsTheBendingShell) {
     };
     const double shell = sag(20, false), coarse = sag(10, true), fine = sag(20, true);
     const std::string scene = fmt::format("strip of particles over an edge, w L^3/B = {}", q);
-    book(scene, "fall of the tip over L, 10 cells", coarse, shell, 0.1, "own bending shell");
-    book(scene, "fall of the tip over L, 20 cells", fine, shell, 0.05, "own bending shell");
+    book(scene, "fall of the tip over L, 10 cells", coarse, shell, 0.05, "own bending shell");
+    book(scene, "fall of the tip over L, 20 cells", fine, shell, 0.02, "own bending shell");
   }
 }
 
