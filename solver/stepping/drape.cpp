@@ -125,6 +125,20 @@ class Drape {
   std::vector<double> way_;           // m, that a particle has gone in the mean
 };
 
+/// A garment that is tight sinks into the skin that bears it: particles are for cloth that hangs.
+void warn_of_tightness(postproc::RunResult& result) {
+  constexpr double worth_a_word = 1e-4;  // m
+  result.numbers["max_penetration_m"] = result.max_penetration;
+  if (result.max_penetration <= worth_a_word) return;
+  result.warnings.push_back({.name = "cloth in the skin",
+                             .text = fmt::format("the cloth presses so hard that it lies up to {:.2f} mm inside the skin", 1e3 * result.max_penetration),
+                             .place = "",
+                             .remedy = "take tier L1 or L4 for a garment that is tight; particles are for cloth that hangs",
+                             .quantity = "max_penetration_m",
+                             .value = result.max_penetration,
+                             .limit = worth_a_word});
+}
+
 std::vector<std::string> what_holds(const Model& model, postproc::Status status) {
   if (status == postproc::Status::converged) return {};
   std::vector<std::string> list;
@@ -145,6 +159,7 @@ void drape(const Model& model, const Meshes& meshes, const KeptStates& kept, con
   result.iterations = run.iterations();
   log.phase("draping");
   run.fill();
+  warn_of_tightness(result);
   run.keep(kept);
   result.remedies = what_holds(model, result.status);
   log.phase("results");
