@@ -137,6 +137,9 @@ void warn_of_tightness(postproc::RunResult& result) {
                              .quantity = "max_penetration_m",
                              .value = result.max_penetration,
                              .limit = worth_a_word});
+  if (result.max_penetration <= skin_reach || result.status != postproc::Status::converged) return;
+  result.status = postproc::Status::partial;  // it is not the shape of cloth on this body
+  result.message = fmt::format("the cloth is at rest, but lies up to {:.1f} mm inside the skin", 1e3 * result.max_penetration);
 }
 
 std::vector<std::string> what_holds(const Model& model, postproc::Status status) {
