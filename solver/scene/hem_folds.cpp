@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 namespace snug::solver {
 
@@ -67,10 +66,13 @@ HemFolds hem_folds(const mesh::GarmentMesh& garment, const std::vector<Vector3d>
   folds.edge = lowest->first, folds.height = mean_height(lowest->second, places);
   Vector2d middle = Vector2d::Zero();
   for (const int node : lowest->second) middle += places[node].head<2>() / static_cast<double>(lowest->second.size());
-  const std::vector<double> distances = distances_round(lowest->second, places, middle);
-  folds.count = crests(distances, least_fold);
-  folds.least = *std::min_element(distances.begin(), distances.end()), folds.largest = *std::max_element(distances.begin(), distances.end());
-  folds.mean = std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
+  folds.count = crests(distances_round(lowest->second, places, middle), least_fold);
+  folds.least = std::numeric_limits<double>::max();
+  for (const int node : lowest->second) {
+    const double distance = (places[node].head<2>() - middle).norm();
+    folds.least = std::min(folds.least, distance), folds.largest = std::max(folds.largest, distance);
+    folds.mean += distance / static_cast<double>(lowest->second.size());
+  }
   return folds;
 }
 
