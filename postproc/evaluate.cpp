@@ -169,6 +169,7 @@ Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem:
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory) {
   const BodyResult& body = run.body;
+  if (!body.fields.has(field::contact_pressure)) return {};  // the tier tells none
   const std::vector<double> areas = skin_areas(body);
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)

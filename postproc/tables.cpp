@@ -69,15 +69,15 @@ void write_skin(std::ostream& out, const BodyResult& body) {
   for (const auto& facet : body.skin_facets)
     for (const int node : std::span(facet).first(body.facet_nodes)) skin[node] = 1;
   const std::vector<Eigen::Vector3d>&displacement = body.fields[field::displacement], *shear = body.fields.find(field::shear_traction);
-  const std::vector<double>&pressure = body.fields[field::contact_pressure], &coverage = body.fields[field::coverage];
+  const std::vector<double>*pressure = body.fields.find(field::contact_pressure), *coverage = body.fields.find(field::coverage);
   const std::vector<double>*slip = body.fields.find(field::slip), *hem = body.fields.find(field::hem);
-  out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m],pressure [Pa],coverage"
+  out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m]" << (pressure ? ",pressure [Pa],coverage" : "")
       << (shear ? ",shear x [Pa],shear y [Pa],shear z [Pa],slip" : "") << (hem ? ",hem\n" : "\n");
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     if (!skin[n]) continue;
     const Eigen::Vector3d &x = body.nodes[n], &u = displacement[n];
-    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.4f}", body.node_number(n), x.x(), x.y(), x.z(), u.x(),
-               u.y(), u.z(), pressure[n], coverage[n]);
+    fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}", body.node_number(n), x.x(), x.y(), x.z(), u.x(), u.y(), u.z());
+    if (pressure) fmt::print(out, ",{:.9g},{:.4f}", (*pressure)[n], (*coverage)[n]);
     if (shear) {
       const Eigen::Vector3d& t = (*shear)[n];
       fmt::print(out, ",{:.9g},{:.9g},{:.9g},{:.0f}", t.x(), t.y(), t.z(), (*slip)[n]);

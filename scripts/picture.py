@@ -185,9 +185,14 @@ def text(renderer, words, x, y, size, centred=True):
 
 
 def colour_bar(window, function, title, box, size):
+    """Beside a row; of a row of one colour its title alone."""
     renderer = vtk.vtkRenderer()
     renderer.SetViewport(*box)
     renderer.SetBackground(1, 1, 1)
+    text(renderer, title, 0.05, 0.82, size, centred=False)
+    window.AddRenderer(renderer)
+    if not function:
+        return
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(function)
     bar.SetNumberOfLabels(6)
@@ -204,8 +209,6 @@ def colour_bar(window, function, title, box, size):
     bar.SetHeight(0.68)
     bar.SetBarRatio(0.3)
     renderer.AddActor2D(bar)
-    text(renderer, title, 0.05, 0.82, size, centred=False)
-    window.AddRenderer(renderer)
 
 
 def row(window, actors, bounds, bottom, top, right, size, views):
@@ -240,11 +243,21 @@ def pressure_row(skin, edge, function, unit, top):
     return actors, function, f"contact pressure\n{unit}{note}"
 
 
-def tension_row(sheet, skin, edge, function, name):
-    actors = [coloured(sheet, name, function, 40000), edge]
+def tension_row(sheet, skin, edge, function, name, closer=40000):
+    """`closer`: of cloth that lies on the skin; where it hangs in folds one would show through the other."""
+    actors = [coloured(sheet, name, function, closer), edge]
     if skin:
         actors.append(plain(skin, (0.88, 0.86, 0.84)))
     return actors, function, f"tension, {name.split('_')[1]}\nN/m"
+
+
+def shape_row(sheet, skin, edge):
+    """Cloth in one colour, lit from where it is seen: its folds."""
+    cloth = plain(sheet, (0.45, 0.58, 0.70))
+    cloth.GetProperty().SetAmbient(0.15)
+    cloth.GetProperty().SetDiffuse(0.9)
+    actors = [cloth, edge] + ([plain(skin, (0.88, 0.86, 0.84))] if skin else [])
+    return actors, None, "shape"
 
 
 def carrying(sheet):
@@ -295,17 +308,26 @@ def main():
     rows = []  # actors, colour function, title
     sheet = surface(garment) if garment else None
     skin = surface(deformed(body)) if body else None
-    edge = plain(outline(sheet), INK, 2.0, 80000) if sheet else None
+    shape_only = skin and not array_of(skin, "contact_pressure")[0]
+    edge = plain(outline(sheet), INK, 2.0, 500 if shape_only else 80000) if sheet else None
     if skin and array_of(skin, "contact_pressure")[0]:
         unit = arguments.unit or ("Pa" if largest_inside(skin) < 2000 else "kPa")
         scale(skin, "contact_pressure", PASCAL_PER_UNIT[unit])
         top = round_up(max(largest_inside(skin), 1e-3))
         rows.append(pressure_row(skin, edge, colours(heat, top), unit, top))
+    elif sheet:
+        rows.append(shape_row(sheet, skin, edge))
     if sheet:
         top, name = carrying(sheet)
-        rows.append(tension_row(sheet, skin, edge, colours(cool, round_up(max(top, 1e-3))), name))
+        rows.append(tension_row(sheet, skin, edge, colours(cool, round_up(max(top, 1e-3))), name, 0 if shape_only else 40000))
     out = arguments.out or arguments.result / "picture.png"
-    save(render(rows, (skin or sheet).GetBounds(), arguments.width, VIEWS), out)
+    box = vtk.vtkBoundingBox()
+    for part in (skin, sheet):
+        if part:
+            box.AddBounds(part.GetBounds())
+    bounds = [0.0] * 6
+    box.GetBounds(bounds)
+    save(render(rows, bounds, arguments.width, VIEWS), out)
     print(out)
 
 

@@ -22,9 +22,10 @@ namespace snug::input {
 enum class GapTests { hat, dual };
 constexpr auto texts_of(GapTests) { return std::array{"hat", "dual"}; }
 
-/// How much of the body is solved: nothing (law of Laplace), the garment on the rigid skin, the layered body.
-enum class Tier { L0, L1, L4 };
-constexpr auto texts_of(Tier) { return std::array{"L0", "L1", "L4"}; }
+/// How much is solved: nothing (law of Laplace), the garment on the rigid skin, the layered body; or how the garment falls on the
+/// rigid skin, as particles.
+enum class Tier { L0, L1, L4, particle };
+constexpr auto texts_of(Tier) { return std::array{"L0", "L1", "L4", "particle"}; }
 
 /// How the load of a body without a garment grows.
 enum class LoadPath { load, arc_length };
@@ -101,7 +102,8 @@ struct SolverSpec {
   static void describe(Self& self, Visitor&& field) {
     field(Field{.key = "tier",
                 .meaning = "L0: tension times curvature on the undeformed skin; L1: rigid skin; "
-                           "L4: nonlinear layered body"},
+                           "L4: nonlinear layered body; particle: the shape in which one garment hangs on the rigid skin by its weight, without "
+                           "pressures"},
           self.tier);
     field(Field{.key = "path",
                 .meaning = "how the load of a body without a garment grows. load: in increments; where a largest load ends "

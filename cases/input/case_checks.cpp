@@ -298,8 +298,18 @@ void check_path(const Case& c, const Table& root, Diagnostics& diagnostics) {
                         "leave path out, or load the body with forces alone");
 }
 
+/// Particles give the shape of one garment.
+void check_particles(const Case& c, const Table& root, Diagnostics& diagnostics) {
+  const Location where = root.where_is("solver");
+  if (c.garments.empty()) diagnostics.error(where, "tier particle lets a garment fall, and the case has none", "add [garment] and [contact], or take another tier");
+  if (c.garments.size() > 1)
+    diagnostics.error(c.garments[1].where, "tier particle has one garment, whose cloth meets the skin alone", "leave the others out, or take tier L1");
+  if (c.comfort) diagnostics.error(root.where_is("comfort"), "tier particle gives the shape of cloth and no pressures to judge", "leave [comfort] out, or take tier L1 or L4");
+}
+
 void check_tier(const Case& c, const Table& root, Diagnostics& diagnostics) {
   if (c.solver.tier == Tier::L4) return;
+  if (c.solver.tier == Tier::particle) check_particles(c, root, diagnostics);
   if (root.find("load"))
     diagnostics.error(root.where_is("load"),
                       fmt::format("tier {} has a rigid body, which no [load] deforms", text_of(c.solver.tier)),

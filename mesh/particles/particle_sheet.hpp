@@ -3,22 +3,13 @@
 // pressures.
 #pragma once
 
-#include <Eigen/Core>
-
-#include <array>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
-namespace snug::mesh {
+#include "mesh/particles/implicit_particles.hpp"
 
-/// Of a strip at a stretch (current over flat length): energy per flat area (N/m), tension (N/m), its derivative by the
-/// stretch (N/m).
-struct Tensile {
-  double energy = 0.0, tension = 0.0, tangent = 0.0;
-};
-using TensileCurve = std::function<Tensile(double stretch)>;
+namespace snug::mesh {
 
 struct SheetLaws {
   TensileCurve warp, weft;
@@ -30,11 +21,6 @@ struct SheetLaws {
   double gravity = 9.80665;   ///< m/s2, along -z
 };
 
-/// How far a point is from a body and which way off it (unit), m.
-struct Nearness {
-  double distance = 0.0;
-  Eigen::Vector3d away = Eigen::Vector3d::Zero();
-};
 /// A body that repels: energy per area stiffness (reach - distance)^2/2 where that is nearer than `reach`.
 struct Repulsion {
   std::function<Nearness(const Eigen::Vector3d&)> body;
@@ -53,52 +39,28 @@ struct SheetGrid {
   double spacing_warp = 0.0, spacing_weft = 0.0;  ///< m; the width of a chain is spacing_weft
 };
 
-class ParticleSheet {
+class ParticleSheet : public ImplicitParticles {
  public:
   /// Places of the particles (m), warp running fastest; they begin at rest. Throws std::invalid_argument where numbers
   /// do not fit or something is not positive.
-  ParticleSheet(const SheetGrid& grid, SheetLaws laws, std::vector<Eigen::Vector3d> places, std::vector<bool> held,
-                std::optional<Repulsion> repulsion = {});
+  ParticleSheet(const SheetGrid& grid, SheetLaws laws, std::vector<Eigen::Vector3d> places,
+                const std::vector<bool>& held, std::optional<Repulsion> repulsion = {});
 
-  /// A step of implicit Euler (s): the minimum over x of |x - x0 - dt v0|^2 m/(2 dt^2) + |x - x0|^2 c/(2 dt) + U(x), by
-  /// Newton's method with a line search; in parts where that does not converge for the whole. Potential and kinetic
-  /// energy together never grow. Throws std::runtime_error where the smallest parts do not converge.
-  void step(double dt);
-
-  const std::vector<Eigen::Vector3d>& places() const { return places_; }
-  const std::vector<Eigen::Vector3d>& velocities() const { return velocities_; }
-  double mass(int particle) const { return laws_.density * area_[particle]; }  ///< kg
-  double drag(int particle) const { return laws_.drag * area_[particle]; }     ///< N s/m
-  double potential_energy() const { return potential(places_); }               ///< J
-  double kinetic_energy() const;                                               ///< J
   /// N, of one kind on every particle (table 4.3 of the source).
   std::vector<Eigen::Vector3d> forces(SheetForce kind) const;
-  /// N, a constant force on a particle, besides the laws'.
-  void pull(int particle, const Eigen::Vector3d& force) { pulls_[particle] = force; }
 
  private:
-  using Places = std::vector<Eigen::Vector3d>;
-  struct Assembly;  // energy, gradient and second derivatives
-  double potential(const Places& x) const;
-  double objective(const Places& x, double dt) const;
-  Assembly derivatives(const Places& x, double dt) const;
-  std::optional<Places> minimum(double dt) const;
-  Places searched(const Places& x, const Eigen::VectorXd& way, double slope, double dt) const;
-  void add(SheetForce kind, const Places& x, Assembly& into) const;
-  void add_stretch(const Places& x, Assembly& into) const;
-  void add_trellis(const Places& x, Assembly& into) const;
-  void add_differences(bool twist, Assembly& into, const Places& x) const;
-  void add_repulsion(const Places& x, Assembly& into) const;
-  void add_gravity(const Places& x, Assembly& into) const;
+  void add_laws(const Places& x, ForceSum& into) const override;
+  void add(SheetForce kind, const Places& x, ForceSum& into) const;
+  void add_stretch(const Places& x, ForceSum& into) const;
+  void add_trellis(const Places& x, ForceSum& into) const;
+  void add_differences(bool twist, ForceSum& into, const Places& x) const;
+  void add_repulsion(const Places& x, ForceSum& into) const;
   int number(int warp, int weft) const { return weft * grid_.along_warp + warp; }
-  double share(int n, int count) const { return count == 1 || (n > 0 && n + 1 < count) ? 1.0 : 0.5; }
 
   SheetGrid grid_;
   SheetLaws laws_;
   std::optional<Repulsion> repulsion_;
-  Places places_, velocities_, pulls_;
-  std::vector<bool> held_;
-  std::vector<double> area_;  // m2, of each particle
 };
 
 }  // namespace snug::mesh

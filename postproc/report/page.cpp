@@ -17,7 +17,7 @@ std::string page_of(const ShownRun& run, const Pictures& pictures) {
   view["locations"] = locations_view(run);
   view["has_locations"] = !view["locations"].empty();
   view["comfort"] = comfort_view(run);
-  view["map"] = map_view(run, scale, drawing_width);
+  view["map"] = knows_pressure(run) ? map_view(run, scale, drawing_width) : nullptr;
   if (view["map"].is_object()) view["map"]["id"] = "map-0";
   view["pieces"] = pieces_view(run, drawing_width);
   view["convergence"] = convergence_view(run, drawing_width);

@@ -25,6 +25,17 @@ std::string pressure_text(double pascal) {
   return fmt::format("{} gf/cm² · {} mmHg", number(to_gf_cm2(pascal)), number(to_mmHg(pascal)));
 }
 
+/// What particles tell of cloth that hangs.
+void add_hanging(const Json& numbers, double contact, auto add) {
+  if (!numbers.contains("hem_folds")) return;
+  add("Folds of the hem", value_at(numbers, "hem_folds"), 1.0, "",
+      fmt::format("distances from its middle {} to {} mm, seen from above", number(1e3 * value_at(numbers, "hem_least_radius_m")), number(1e3 * value_at(numbers, "hem_largest_radius_m"))));
+  add("Height of the hem", value_at(numbers, "hem_height_m"), 1e3, "mm", "in the mean");
+  add("Weight of the cloth", value_at(numbers, "cloth_weight_N"), 1.0, "N", "");
+  if (contact > 0.0)
+    add("Force on the skin", contact, 1.0, "N", fmt::format("an estimate, no pressure; {} % of the cloth touches", number(100.0 * value_at(numbers, "touching_share_of_cloth"))));
+}
+
 /// Named values and how they are shown.
 Json figures_view(const Json& summary) {
   const Json numbers = summary.value("numbers", Json::object()), balance = summary.value("balance", Json::object());
@@ -38,7 +49,8 @@ Json figures_view(const Json& summary) {
   add("Mean contact pressure", mean, 1.0, "Pa", pressure_text(mean));
   add("Largest contact pressure", top, 1.0, "Pa", pressure_text(top) + (summary.contains("hems") ? ", beside the hems" : ""));
   add("Largest displacement of the skin", value_at(numbers, "max_skin_displacement_m"), 1e3, "mm", "");
-  if (contact > 0.0) {
+  add_hanging(numbers, contact, add);
+  if (contact > 0.0 && !numbers.contains("hem_folds")) {
     add("Contact force", contact, 1.0, "N", summary.contains("surface_contacts") ? "sum of the amounts over all contacts" : "sum of the amounts over the skin");
     add("Contact area", value_at(numbers, "contact_area_m2"), 1e4, "cm²", "");
   }

@@ -42,6 +42,7 @@ std::string corners(const std::vector<Triangle>& triangles) {
 
 std::string scene_json(const ShownRun& run, const PressureScale& scale) {
   Json json = {{"colours", colour_stops()}, {"top", scale.top}, {"unit", scale.unit}, {"factor", scale.factor}};
+  json["shape_only"] = !knows_pressure(run);
   if (run.skin)
     json["skin"] = {{"numbers", integers(run.skin->numbers)},          {"nodes", vectors(run.skin->nodes)},
                     {"displacement", vectors(run.skin->displacement)}, {"pressure", reals(run.skin->pressure)},

@@ -6,6 +6,8 @@
 
 namespace snug::postproc::report {
 
+bool knows_pressure(const ShownRun& run) { return run.body_grid && run.body_grid->fields.has(field::contact_pressure); }
+
 ShownRun shown(StoredRun run) {
   ShownRun result{std::move(run), {}, {}};
   if (result.body_grid && !result.skin_nodes.empty()) result.skin = skin_of(*result.body_grid, result.skin_nodes);

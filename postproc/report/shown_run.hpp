@@ -13,6 +13,9 @@ struct ShownRun : StoredRun {
   std::optional<Garment> garment;  ///< none: the scene has no garment
 };
 
+/// Whether the run tells what presses on the skin; particles give the shape of cloth alone.
+bool knows_pressure(const ShownRun& run);
+
 /// Throws std::runtime_error where a grid has cells that cannot be drawn.
 ShownRun shown(StoredRun run);
 

@@ -107,6 +107,7 @@
     return garment;
   }
 
+  const pressed_skin = data.skin && !data.shape_only;  // particles tell no pressures of the skin
   const skin = data.skin && makeSkin(data.skin), garment = data.garment && makeGarment(data.garment);
   if (skin) scene.add(skin.mesh);
   if (garment) scene.add(garment.mesh, garment.hems);
@@ -117,7 +118,7 @@
   marker.frustumCulled = false;
   scene.add(marker);
 
-  const sphere = new THREE.Box3().setFromObject((skin || garment).mesh).getBoundingSphere(new THREE.Sphere());
+  const sphere = [skin, garment].filter(Boolean).reduce((box, part) => box.expandByObject(part.mesh), new THREE.Box3()).getBoundingSphere(new THREE.Sphere());
   const controls = new THREE.OrbitControls(camera, canvas);
   controls.target.copy(sphere.center);
   camera.near = sphere.radius;
@@ -222,14 +223,14 @@
   $("warp").addEventListener("change", () => show("skin"));
   document.querySelectorAll("[name=show]").forEach((radio) => {
     radio.addEventListener("change", () => show(radio.value));
-    if ((radio.value === "garment" && !garment) || (radio.value === "skin" && !skin)) radio.disabled = true;
-    else if (!skin) radio.checked = true;
+    if ((radio.value === "garment" && !garment) || (radio.value === "skin" && !pressed_skin)) radio.disabled = true;
+    else if (!pressed_skin) radio.checked = true;
   });
   document.querySelectorAll("[data-from]").forEach((button) => button.addEventListener("click", () =>
     lookFrom(new THREE.Vector3(...button.dataset.from.split(" ").map(Number)))));
   window.addEventListener("resize", resize);
 
-  show(skin ? "skin" : "garment");
+  show(pressed_skin ? "skin" : "garment");
   resize();
   lookFrom(new THREE.Vector3(0.6, 1, 0.35));
 })();

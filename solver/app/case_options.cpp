@@ -10,7 +10,7 @@ void CaseOptions::declare(CLI::App& app) {
   app.add_option("--set", overrides, "replace a value of case.toml: --set garment.position=\"70 mm\"; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--tier", tier, "L0: tension times curvature; L1: rigid skin; L4: nonlinear body")->type_name("TIER");
+  app.add_option("--tier", tier, "L0: tension times curvature; L1: rigid skin; L4: nonlinear body; particle: the shape in which cloth hangs")->type_name("TIER");
   app.add_flag("--allow-outside", allow_outside, "admit input files outside the case directory");
   app.add_flag("--allow-scripts", allow_scripts,
                "let a mesh script (.geo) run programs and read and write files: only for files that you trust as your own");

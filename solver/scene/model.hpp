@@ -48,6 +48,8 @@ struct Model {
   std::vector<materials::SkinMembrane> membranes; ///< one a membrane of the body mesh
 
   bool deformable() const { return asked.solver.tier == input::Tier::L4; }
+  /// The garment is particles that fall on the rigid skin.
+  bool falls() const { return asked.solver.tier == input::Tier::particle; }
   /// The contact of a garment, or null where it touches nothing.
   const ContactModel* contact_of(int garment) const;
   /// The contact of that name.

@@ -9,6 +9,7 @@
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/scene/particle_scene.hpp"
 #include "solver/scene/run.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -147,7 +148,37 @@ std::string layers_text(const std::vector<std::string>& masters) {
   return text.empty() ? text : fmt::format(", on{} where it lies over it, else on the skin", text);
 }
 
+void list_bands(const input::GarmentSpec& garment, const mesh::GarmentMesh& mesh, Plan& plan) {
+  for (const input::BandSpec& band : garment.band) {
+    const BandModel as = band_model(band, mesh);
+    plan.parts_in.push_back(fmt::format("band of {}, {} edge: {:.3g} N at a strain of 1, {:.4g} mm at rest along {:.4g} mm as cut", garment.name, band.edge, as.stiffness,
+                                        1e3 * as.rest_length, 1e3 * as.edge_length));
+  }
+}
+
+/// A garment of particles: what acts on them.
+void list_falling_garment(const Model& model, const Meshes& meshes, Plan& plan) {
+  const GarmentModel& garment = model.garments.front();
+  const mesh::GarmentMesh& mesh = meshes.garments.front();
+  const std::string& name = garment.spec.name;
+  plan.parts_in.push_back(fmt::format("{}: {}, {} particles at the corners of {} triangles, stretched and sheared", name, names_of_fabrics(garment), count_particles(mesh), mesh.triangles.size()));
+  list_fabrics(garment, mesh, plan);
+  if (!mesh.fit.placing.empty()) plan.parts_in.push_back(fmt::format("{}: placed {}", name, mesh.fit.placing));
+  plan.parts_in.push_back("bending: " + of_each(garment, bending_text));
+  plan.parts_in.push_back("weight: " + of_each(garment, weight_text));
+  list_bands(garment.spec, mesh, plan);
+  const ContactModel* contact = model.contact_of(0);
+  plan.parts_in.push_back(fmt::format("contact: the skin repels particles nearer than {:g} mm", 1e3 * skin_reach));
+  if (contact->friction.coefficient > 0.0)
+    plan.parts_in.push_back(fmt::format("friction: coefficient {:g} ({})", contact->friction.coefficient, contact->friction.source));
+  else
+    plan.parts_out.push_back(fmt::format("friction: none, says {}", contact->friction.source));
+  plan.parts_out.push_back("pressures: particles give the shape of cloth, not what it presses with (tiers L1 and L4 do)");
+  plan.parts_out.push_back("contact of the cloth with itself: folds may go through one another");
+}
+
 void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
+  if (model.falls()) return list_falling_garment(model, meshes, plan);
   const std::string& name = model.garments[g].spec.name;
   const std::string fabric = names_of_fabrics(model.garments[g]);
   if (model.asked.solver.tier == input::Tier::L0) {
@@ -162,11 +193,7 @@ void list_garment(const Model& model, int g, const Meshes& meshes, Plan& plan) {
   if (!mesh.fit.placing.empty()) plan.parts_in.push_back(fmt::format("{}: placed {}", name, mesh.fit.placing));
   list_contact(model.contact_of(g), layers_text(master_names(meshes.garments, layers_under(model, meshes.garments, g))), plan);
   list_loose_cloth(model.garments[g], mesh, plan);
-  for (const input::BandSpec& band : model.garments[g].spec.band) {
-    const BandModel as = band_model(band, mesh);
-    plan.parts_in.push_back(fmt::format("band of {}, {} edge: {:.3g} N at a strain of 1, {:.4g} mm at rest along {:.4g} mm as cut", name, band.edge, as.stiffness,
-                                        1e3 * as.rest_length, 1e3 * as.edge_length));
-  }
+  list_bands(model.garments[g].spec, mesh, plan);
 }
 
 // A garment whose contact names the skin alone lies over others without touching them: thin cloth passes on what presses on it.
@@ -243,6 +270,12 @@ bool bends(const Model& model, const Meshes& meshes) {
 // garment presses harder than the tissue is stiff, and cloth off the skin takes twice as many. A factor in single precision takes
 // about half of all.
 void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
+  if (model.falls()) {
+    const double unknowns = 3.0 * count_particles(meshes.garments.front());
+    plan.unknowns["garment"] = static_cast<long>(unknowns);
+    plan.seconds = 6e-3 * unknowns, plan.memory_bytes = 2e8 + 2e4 * unknowns;
+    return;
+  }
   double rigid = 0.0, body = 0.0;
   for (const auto& [part, unknowns] : plan.unknowns) (part == "body" ? body : rigid) += static_cast<double>(unknowns);
   plan.seconds = 1e-4 * rigid + (body > 0.0 ? 4e-6 * std::pow(body + rigid, 1.4) : 0.0);
@@ -268,7 +301,7 @@ Plan plan(const Model& model, const Meshes& meshes) {
   if (model.deformable()) list_loads(model.asked, meshes, plan);
   if (model.deformable()) list_free_motions(model, meshes, plan);
   if (!model.asked.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
-  if (model.asked.solver.tier != input::Tier::L0) count_unknowns(model, meshes, plan);
+  if (model.asked.solver.tier != input::Tier::L0 && !model.falls()) count_unknowns(model, meshes, plan);
   estimate(model, meshes, plan);
   return plan;
 }

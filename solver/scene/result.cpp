@@ -84,18 +84,6 @@ std::vector<std::string> shortest_first(const std::map<std::string, std::vector<
   return names;
 }
 
-// Sides of triangles whose mid-edge node is a node of the edge; `first` node of the garment in the result.
-void add_named_edges(const mesh::GarmentMesh& mesh, bool alone, int garment, int first, std::vector<postproc::GarmentEdge>& edges) {
-  for (const auto& [name, nodes] : mesh.edges) {
-    const std::set<int> on_edge(nodes.begin(), nodes.end());
-    postproc::GarmentEdge edge{edge_of(alone, mesh.name, name), {}, garment};
-    for (const auto& t : mesh.triangles)
-      for (int k = 0; k < 3; ++k)
-        if (on_edge.count(mesh.merged[t[3 + k]])) edge.sides.push_back({first + t[k], first + t[3 + k], first + t[(k + 1) % 3]});
-    edges.push_back(std::move(edge));
-  }
-}
-
 void add_positions(const Field& position, const State& state, const mesh::GarmentMesh& mesh, int first, postproc::GarmentResult& result) {
   for (std::size_t node = 0; node < mesh.pattern.size(); ++node)
     result.current.push_back(state.values.segment<3>(position(mesh.merged[node])));
@@ -113,6 +101,21 @@ void add_garment(const Scene& scene, const State& state, const mesh::GarmentMesh
   add_positions(scene.layout()[mesh.name], state, mesh, first, result);
   add_named_edges(mesh, alone, static_cast<int>(result.parts.size()) - 1, first, result.edges);
 }
+
+}  // namespace
+
+void add_named_edges(const mesh::GarmentMesh& mesh, bool alone, int garment, int first, std::vector<postproc::GarmentEdge>& edges) {
+  for (const auto& [name, nodes] : mesh.edges) {
+    const std::set<int> on_edge(nodes.begin(), nodes.end());
+    postproc::GarmentEdge edge{edge_of(alone, mesh.name, name), {}, garment};
+    for (const auto& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k)
+        if (on_edge.count(mesh.merged[t[3 + k]])) edge.sides.push_back({first + t[k], first + t[3 + k], first + t[(k + 1) % 3]});
+    edges.push_back(std::move(edge));
+  }
+}
+
+namespace {
 
 template <class Value>
 Value zero() {

@@ -12,6 +12,10 @@ postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells);
 /// Adds a garment's nodes, triangles and part behind those that are there.
 void append(const mesh::GarmentMesh& mesh, postproc::GarmentResult& result);
 
+/// Named edges of a garment as sides of its triangles: those whose mid-edge node is a node of the edge. `alone`: it is the only one;
+/// `garment`: its number; `first`: its first node in the result.
+void add_named_edges(const mesh::GarmentMesh& mesh, bool alone, int garment, int first, std::vector<postproc::GarmentEdge>& edges);
+
 /// Fills displacement, stress, contact samples, skin pressure, garment fields, balance and `numbers` from the state.
 void fill_result(const Scene& scene, const State& state, const Model& model, const Meshes& meshes, postproc::RunResult& result);
 

@@ -17,6 +17,7 @@
 #include "solver/scene/result.hpp"
 #include "solver/stepping/arc_length.hpp"
 #include "solver/stepping/donning.hpp"
+#include "solver/stepping/drape.hpp"
 #include "solver/stepping/run_log.hpp"
 #include "solver/stepping/stages.hpp"
 
@@ -48,6 +49,7 @@ class Run {
   }
 
   postproc::RunResult operator()() {
+    if (model_.falls()) return falling();
     assume();
     if (!model_.garments.empty()) laplace();
     const std::vector<Way> ways = ways_of(model_, worn_, meshes_, kept_.steps > 0);
@@ -60,6 +62,23 @@ class Run {
   }
 
  private:
+  /// Tier particle: there is no path of scenes.
+  postproc::RunResult falling() {
+    assume_of_particles();
+    drape(model_, meshes_, kept_, stop_, log_, result_);
+    note_memory();
+    return std::move(result_);
+  }
+
+  void assume_of_particles() {
+    const ContactModel* contact = model_.contact_of(0);
+    if (contact && !contact->friction.of_case)
+      result_.assumptions.push_back(fmt::format("friction {:g} of the {} on the skin ({})", contact->friction.coefficient, contact->slave, contact->friction.source));
+    result_.assumptions.push_back("particles: the shape in which cloth hangs, without lateral contraction and without contact of the cloth with itself; what the skin bears is an "
+                                  "estimate to the balance error told, and no pressure");
+    result_.assumptions.push_back(fmt::format("air of {:g} N s/m3 against the velocity while it falls (at rest it bears nothing)", air_drag));
+  }
+
   /// What the case leaves to the run.
   void assume() {
     if (model_.asked.solver.tier == input::Tier::L0 || !model_.has_friction()) return;
@@ -252,12 +271,16 @@ class Run {
 
   /// What the result is measured for, whatever the solver says of it.
   void look_back() {
+    note_memory();
+    if (!result_.garment.triangles.empty()) guard(model_, meshes_, result_), log_.phase("results");
+    result_.remedies = what_to_try(model_, meshes_, result_);
+  }
+
+  void note_memory() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     const double own = 1024.0 * static_cast<double>(usage.ru_maxrss);
     result_.peak_memory = sum_over_ranks(own), result_.peak_memory_of_a_rank = largest_over_ranks(own);
-    if (!result_.garment.triangles.empty()) guard(model_, meshes_, result_), log_.phase("results");
-    result_.remedies = what_to_try(model_, meshes_, result_);
   }
 
   /// The user wants no more: no other way is looked for, and nothing is said of what there might be.

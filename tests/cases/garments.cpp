@@ -82,5 +82,29 @@ TEST_F(Garments, JeansPressMoreTheStifferTheirDenimAndTheTShirtHangs) {
   EXPECT_LT(summary("shirt").at("balance").at("contact_force_N").get<double>(), 20.0);
 }
 
+TEST_F(Garments, AsParticlesAShapeIsGivenAndNoPressures) {
+  // Cases that ask for comfort or have two garments are refused at their place; the skirt's plan says what particles leave out. A tight sleeve
+  // comes to rest, and no file of it has a pressure of the skin.
+  for (const std::string name : {"jeans", "sleeve-over-sleeve"}) {
+    const Outcome refused = snug("check " + shipped(name) + " --tier particle");
+    EXPECT_EQ(refused.status, 2) << refused.text;
+    EXPECT_THAT(refused.text, testing::HasSubstr("case.toml:"));
+    EXPECT_THAT(refused.text, testing::HasSubstr("tier particle"));
+  }
+  const Outcome check = snug("check " + shipped("skirt"));
+  EXPECT_EQ(check.status, 0) << check.text;
+  EXPECT_THAT(check.text, testing::HasSubstr("pressures: particles give the shape of cloth"));
+  const Outcome tight = snug("run " + shipped("verification/tube-sleeve") + " --tier particle --out tight --no-report --states 2");
+  ASSERT_EQ(tight.status, 0) << tight.text;
+  EXPECT_LT(summary("tight").at("max_penetration_m").get<double>(), 1e-3);
+  EXPECT_FALSE(summary("tight").at("numbers").contains("max_contact_pressure_Pa"));
+  EXPECT_EQ(summary("tight").at("locations").size(), 0u);
+  std::ifstream skin(folder_ / "tight/skin.csv");
+  std::string head;
+  std::getline(skin, head);
+  EXPECT_EQ(head.find("pressure"), std::string::npos) << head;
+  EXPECT_TRUE(fs::exists(folder_ / "tight/states/garment_0001.vtu"));
+}
+
 }  // namespace
 }  // namespace snug

@@ -1,6 +1,7 @@
 // Sleeves that are wider than the limb somewhere: cloth stands off there, hangs by its weight, and presses by its hoop
 // tension where it is tight.
 #include "materials/fabric/fabric.hpp"
+#include "solver/stepping/drape.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/tube.hpp"
 
@@ -102,6 +103,42 @@ TEST(LooseCloth, LooseAllOverItHangsFromItsHeldEdgeAndTouchesNothing) {
       const double drawn_in = 3e-6 / (scene.rest_radius * scene.rest_radius * 1e-3 * scene.stiffness);
       EXPECT_NEAR(hem_radius(hung), scene.rest_radius * (1.0 - drawn_in), 1e-3 * scene.rest_radius);
     }
+}
+
+// Tier particle: the same sleeves as particles. Loose all over it comes to rest, touches nothing, and its held edge bears its weight.
+TEST(LooseCloth, AsParticlesALooseSleeveHangsFromItsHeldEdge) {
+  Hanging scene;
+  scene.rest_radius = 0.060, scene.tier = input::Tier::particle;
+  const Hung hung = hang(scene);
+  const double weight = 0.2 * 9.80665 * 2.0 * std::numbers::pi * scene.rest_radius * scene.sleeve_length;
+  book("loose sleeve of particles", "force of the held edge [N]", hung.result.balance.reactions.at("upper edge").z(), weight, 1e-3, "its weight");
+  EXPECT_LT(hung.result.balance.force_error.norm(), 1e-3 * weight);
+  EXPECT_EQ(hung.result.balance.contact_force, 0.0);
+  EXPECT_NEAR(hem_radius(hung), scene.rest_radius, 0.01 * scene.rest_radius);
+  EXPECT_FALSE(hung.result.body.fields.has(postproc::field::contact_pressure));  // it claims none
+}
+
+// What nothing holds falls off, and is no answer; what has not come to rest in the steps given is none either.
+TEST(LooseCloth, AsParticlesItIsConvergedAtRestOnly) {
+  Hanging scene;
+  scene.rest_radius = 0.060, scene.tier = input::Tier::particle;
+  input::Case c = describe(scene);
+  const solver::Meshes meshes = make_meshes(c);
+  const auto fall = [&](int steps) {
+    postproc::RunResult result;
+    const solver::Observer nobody;
+    solver::RunLog log(result, nobody);
+    solver::drape(solver::make_model(c, meshes.body), meshes, {}, {}, log, result, {.steps = steps});
+    return result;
+  };
+  const postproc::RunResult soon = fall(3);
+  EXPECT_EQ(soon.status, postproc::Status::partial);
+  EXPECT_NE(soon.message.find("not at rest after 3 steps"), std::string::npos) << soon.message;
+  c.garments.front().held.clear();
+  const postproc::RunResult off = fall(1500);
+  EXPECT_EQ(off.status, postproc::Status::failed);
+  EXPECT_NE(off.message.find("slides off"), std::string::npos) << off.message;
+  EXPECT_FALSE(off.remedies.empty());
 }
 
 }  // namespace

@@ -1,0 +1,231 @@
+#include "mesh/particles/particle_cloth.hpp"
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace snug::mesh {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+TensileCurve linear(double stiffness) {
+  return [=](double stretch) {
+    return Tensile{0.5 * stiffness * (stretch - 1.0) * (stretch - 1.0), stiffness * (stretch - 1.0), stiffness};
+  };
+}
+
+/// T = Tm (exp(a e / em) - 1) / (exp(a) - 1), the kind of curve that a tensile test of KES has.
+constexpr double most_tension = 490.0, most_strain = 0.3, curvature = 3.0;
+TensileCurve exponential() {
+  return [](double stretch) {
+    const double rate = curvature / most_strain, factor = most_tension / std::expm1(curvature), strain = stretch - 1.0;
+    return Tensile{factor * (std::expm1(rate * strain) / rate - strain), factor * std::expm1(rate * strain),
+                   factor * rate * std::exp(rate * strain)};
+  };
+}
+
+ClothLaws cloth_laws() {
+  return {.warp = linear(500.0), .weft = linear(350.0), .shear = 30.0, .bending_warp = 1e-4, .bending_weft = 5e-5, .density = 0.2};
+}
+
+/// A rectangle of nx by ny cells, vertices inside moved off their grid.
+struct Rectangle {
+  int nx, ny;
+  double length, width;
+  std::vector<Vector2d> flat;
+  ClothSheet sheet;
+
+  Rectangle(int columns, int rows, double l, double w, const ClothLaws& laws, double moved = 0.1) : nx(columns), ny(rows), length(l), width(w) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> off(-moved, moved);
+    for (int j = 0; j <= ny; ++j)
+      for (int i = 0; i <= nx; ++i) {
+        const bool inside_x = i > 0 && i < nx, inside_y = j > 0 && j < ny;
+        flat.emplace_back(length / nx * (i + (inside_x ? off(random) : 0.0)), width / ny * (j + (inside_y ? off(random) : 0.0)));
+      }
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const int a = node(i, j), b = node(i + 1, j), c = node(i + 1, j + 1), d = node(i, j + 1);
+        add(a, b, d), add(b, c, d);
+      }
+    sheet.laws = {laws};
+  }
+  int node(int i, int j) const { return j * (nx + 1) + i; }
+  void add(int a, int b, int c) { sheet.triangles.push_back({{a, b, c}, {flat[a], flat[b], flat[c]}}); }
+  Places laid(auto place) const {
+    Places places;
+    for (const Vector2d& x : flat) places.push_back(place(x));
+    return places;
+  }
+  Places level(double z = 0.0) const {
+    return laid([=](const Vector2d& x) { return Vector3d(x.x(), x.y(), z); });
+  }
+  std::vector<HeldComponents> free() const { return std::vector<HeldComponents>(flat.size(), 0); }
+};
+
+Vector3d sum(const Places& forces) {
+  Vector3d total = Vector3d::Zero();
+  for (const Vector3d& force : forces) total += force;
+  return total;
+}
+
+/// Long steps until hardly anything is out of balance.
+void settle(ParticleCloth& cloth, int steps = 120) {
+  double dt = 0.002;
+  for (int n = 0; n < steps; ++n) {
+    cloth.step(dt);
+    double fastest = 1e-9;
+    for (const Vector3d& v : cloth.velocities()) fastest = std::max(fastest, v.norm());
+    dt = std::clamp(std::min(1.5 * dt, 0.003 / fastest), 1e-5, 2.0);
+  }
+}
+
+}  // namespace
+
+TEST(ParticleCloth, ForcesAreTheSlopeOfTheEnergy) {
+  // Central differences approach the forces of all kinds together with the square of the step; every kind takes part.
+  Rectangle patch(4, 3, 0.08, 0.07, cloth_laws());
+  patch.sheet.bands = {{0, 1, 0.015, 40.0}, {1, 2, 0.015, 40.0}};
+  patch.sheet.body = BodyContact{[](const Vector3d& p) { return Nearness{p.z() + 0.05, Vector3d::UnitZ()}; }, 2e4, 0.06, 0.4};
+  Places places = patch.level(), direction, aside;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  for (Vector3d& p : places) {
+    aside.push_back(p);
+    p += 0.002 * Vector3d(normal(random), normal(random), normal(random));
+    direction.emplace_back(normal(random), normal(random), normal(random));
+  }
+  // Friction is anchored where a particle first touched; its bound and the planes are those of the last arrival.
+  ParticleCloth cloth(patch.sheet, aside, patch.free());
+  cloth.move_to(places);
+  double force = 0.0;
+  for (const ClothForce kind : {ClothForce::stretch, ClothForce::shear, ClothForce::bending, ClothForce::band, ClothForce::pressing, ClothForce::friction, ClothForce::weight}) {
+    const Places forces = cloth.forces(kind);
+    double largest = 0.0;
+    for (std::size_t n = 0; n < places.size(); ++n) force += forces[n].dot(direction[n]), largest = std::max(largest, forces[n].norm());
+    EXPECT_GT(largest, 0.0) << static_cast<int>(kind);
+  }
+  const auto slope = [&](double step) { return cloth.energy_of(direction, step); };
+  const auto error = [&](double step) { return std::abs((slope(step) - slope(-step)) / (2.0 * step) + force); };
+  EXPECT_NEAR(error(2e-4) / error(1e-4), 4.0, 0.3);
+  EXPECT_LT(error(1e-5), 1e-4 * std::abs(force));
+}
+
+TEST(ParticleCloth, APulledStripLiesOnItsTensileCurve) {
+  // Pulled along warp or weft by a force per width: stretch where the curve has that tension, whatever the triangles.
+  for (const bool along_warp : {true, false}) {
+    ClothLaws laws = cloth_laws();
+    (along_warp ? laws.warp : laws.weft) = exponential();
+    Rectangle strip(8, 3, 0.1, 0.03, laws);
+    if (!along_warp)
+      for (FlatTriangle& t : strip.sheet.triangles)
+        for (Vector2d& x : t.flat) x = Vector2d(-x.y(), x.x());
+    strip.sheet.gravity = 0.0, strip.sheet.drag = 1.0;
+    for (const double tension : {20.0, 150.0, 450.0}) {
+      std::vector<HeldComponents> held = strip.free();
+      for (int j = 0; j <= strip.ny; ++j) held[strip.node(0, j)] = held_all;
+      ParticleCloth cloth(strip.sheet, strip.level(), held, MinimumSearch{});
+      for (int j = 0; j <= strip.ny; ++j) {
+        const double below = j > 0 ? strip.flat[strip.node(8, j)].y() - strip.flat[strip.node(8, j - 1)].y() : 0.0,
+                     above = j < strip.ny ? strip.flat[strip.node(8, j + 1)].y() - strip.flat[strip.node(8, j)].y() : 0.0;
+        cloth.pull(strip.node(8, j), {tension * 0.5 * (below + above), 0, 0});
+      }
+      for (const double dt : {0.01, 1.0, 100.0, 1e4, 1e6, 1e8, 1e10}) cloth.step(dt);
+      const double strain = most_strain / curvature * std::log1p(tension / most_tension * std::expm1(curvature));
+      for (int j = 0; j <= strip.ny; ++j) EXPECT_NEAR(cloth.places()[strip.node(8, j)].x() / 0.1 - 1.0, strain, 1e-6) << tension;
+      EXPECT_NEAR(cloth.strained(5).tension[along_warp ? 0 : 1], tension, 1e-4 * tension);
+    }
+  }
+}
+
+TEST(ParticleCloth, BentToACylinderItHasTheEnergyOfAPlateAcrossASeamToo) {
+  // B/(2 r^2) per area, B of warp or weft as it is bent, but for half a cell (1.7 %) at each free edge, which bears no moment; a saddle
+  // k x y has B k^2, to what triangles moved by a tenth of their cell make of it. Turned as a whole it has the same. Cut
+  // in two whose flat pieces lie elsewhere, and sewn, it has what it has in one.
+  ClothLaws laws = cloth_laws();
+  laws.shear = 0.0, laws.warp = laws.weft = linear(0.0);
+  constexpr double r = 0.1;
+  const auto energy = [&](const ClothLaws& of, auto place, bool cut) {
+    Rectangle sheet(30, 30, 0.08, 0.08, of);
+    sheet.sheet.gravity = 0.0;
+    if (cut)
+      for (FlatTriangle& t : sheet.sheet.triangles)
+        if ((t.flat[0] + t.flat[1] + t.flat[2]).x() > 0.12)
+          for (Vector2d& x : t.flat) x += Vector2d(0.3, -0.2);
+    return ParticleCloth(sheet.sheet, sheet.laid(place), sheet.free()).potential_energy();
+  };
+  const auto about_y = [](const Vector2d& x) { return Vector3d(r * std::sin(x.x() / r), x.y(), r * std::cos(x.x() / r)); };
+  const auto about_x = [](const Vector2d& x) { return Vector3d(x.x(), r * std::sin(x.y() / r), r * std::cos(x.y() / r)); };
+  const double area = 0.08 * 0.08, plate = 0.5 / (r * r) * area;
+  EXPECT_NEAR(energy(laws, about_y, false), laws.bending_warp * plate, 0.04 * laws.bending_warp * plate);
+  EXPECT_NEAR(energy(laws, about_x, false), laws.bending_weft * plate, 0.04 * laws.bending_weft * plate);
+  EXPECT_NEAR(energy(laws, about_y, true), energy(laws, about_y, false), 1e-8 * laws.bending_warp * plate);
+  laws.bending_weft = laws.bending_warp;
+  const auto saddle = [](const Vector2d& x) { return Vector3d(x.x(), x.y(), 3.0 * x.x() * x.y()); };
+  EXPECT_NEAR(energy(laws, saddle, false), laws.bending_warp * 9.0 * area, 0.06 * laws.bending_warp * 9.0 * area);
+  const auto rigid = [](const Vector2d& x) { return Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()) * Vector3d(x.x(), x.y(), 0.3); };
+  EXPECT_LT(energy(laws, rigid, false), 1e-8 * laws.bending_warp * plate);
+}
+
+TEST(ParticleCloth, OnASlopeItSticksBelowTheAngleOfFrictionAndSlidesAbove) {
+  // tan(angle) below the coefficient: it stays. Above: it is g (sin - mu cos) t fast after a time t.
+  constexpr double mu = 0.4;
+  for (const double slope : {0.9 * mu, 1.25 * mu}) {
+    const double angle = std::atan(slope);
+    const Vector3d up(-std::sin(angle), 0.0, std::cos(angle)), down(-std::cos(angle), 0.0, -std::sin(angle));
+    Rectangle sheet(4, 4, 0.08, 0.08, cloth_laws());
+    sheet.sheet.body = BodyContact{[&](const Vector3d& p) { return Nearness{p.dot(up), up}; }, 2e6, 1e-3, mu};
+    const double sunk = 0.2 * 9.80665 * std::cos(angle) / 2e6;
+    ParticleCloth cloth(sheet.sheet, sheet.laid([&](const Vector2d& x) { return Vector3d(-x.x() * down + Vector3d(0, x.y(), 0) + (1e-3 - sunk) * up); }), sheet.free());
+    const Vector3d before = cloth.places()[12];
+    constexpr double dt = 0.001;
+    for (int n = 0; n < 200; ++n) cloth.step(dt);
+    const double gone = (cloth.places()[12] - before).dot(down), fast = cloth.velocities()[12].dot(down);
+    if (slope < mu) {
+      EXPECT_LT(gone, 1e-4);
+      const Vector3d held = sum(cloth.forces(ClothForce::friction));
+      EXPECT_NEAR(held.norm(), 0.2 * 0.0064 * 9.80665 * std::sin(angle), 1e-3 * 0.2 * 0.0064 * 9.80665);
+    } else {
+      EXPECT_NEAR(fast, 9.80665 * (std::sin(angle) - mu * std::cos(angle)) * 0.2, 0.03 * fast);
+    }
+  }
+}
+
+TEST(ParticleCloth, AHeldStripHangsAsTheHeavyElastica) {
+  // w L^3/B = 8: the end falls by 0.6406 L and lies 0.7244 L out (Peirce: 41.5 degrees).
+  constexpr double L = 0.06, weight = 0.2 * 9.80665;
+  ClothLaws laws = cloth_laws();
+  laws.bending_warp = laws.bending_weft = weight * L * L * L / 8.0;
+  laws.warp = laws.weft = linear(2e4);
+  Rectangle strip(16, 4, L * 17 / 16, L / 6, laws);  // one column more, held with the first
+  std::vector<HeldComponents> held = strip.free();
+  for (std::size_t n = 0; n < held.size(); ++n)
+    if (strip.flat[n].x() < 1.3 * L / 16) held[n] = held_all;
+  strip.sheet.drag = 0.5;
+  ParticleCloth cloth(strip.sheet, strip.level(), held);
+  settle(cloth);
+  double root = 0.0;  // the clamp is where the held triangles end
+  for (int j = 0; j <= strip.ny; ++j) root += strip.flat[strip.node(1, j)].x() / (strip.ny + 1);
+  const Vector3d tip = cloth.places()[strip.node(16, 2)];
+  EXPECT_NEAR(-tip.z() / L, 0.6406, 0.05 * 0.6406);
+  EXPECT_NEAR((tip.x() - root) / L, 0.7244, 0.03);
+}
+
+TEST(ParticleCloth, WhatDoesNotFitIsRefused) {
+  Rectangle sheet(2, 2, 0.02, 0.02, cloth_laws());
+  ClothSheet turned = sheet.sheet;
+  std::swap(turned.triangles[0].flat[0], turned.triangles[0].flat[1]);
+  EXPECT_THROW(ParticleCloth(turned, sheet.level(), sheet.free()), std::invalid_argument);
+  Places more = sheet.level();
+  more.emplace_back(0, 0, 0);  // in no triangle
+  EXPECT_THROW(ParticleCloth(sheet.sheet, more, std::vector<HeldComponents>(more.size(), 0)), std::invalid_argument);
+}
+
+}  // namespace snug::mesh
