@@ -69,6 +69,8 @@ struct State {
   /// What of friction's bound there is: the bound is mu p / release, so that 1 is Coulomb's law and 0 sticks without a bound.
   double release = 1.0;
   double stiffening = 1.0;  ///< factor on the body's own energy while it is released under the garment; 1 at the end
+  /// How contact yields: 0 is hard; else a pressure is what the contact's own stiffness over this makes of the gap, as on a mattress.
+  double yielding = 0.0;
   Histories history;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "solver/stepping/journal.hpp"
+#include "solver/stepping/minimise.hpp"
 
 namespace snug::solver {
 
@@ -25,10 +26,13 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
   return settings;
 }
 
-// Straight extrapolation of the last increment; pressures stay non-negative.
+// Of contact that yields, where it begins to harden. Half of the way on it is a third as stiff as the cloth of one vertex.
+constexpr double softest = 3.0;
+
+// Straight extrapolation of the last increment, but for one on which contact has yielded; pressures stay non-negative.
 State predict(const PathRecord& at, double step, const Layout& layout) {
   State guess = at.state;
-  if (at.span <= 0.0) return guess;
+  if (at.span <= 0.0 || at.state.yielding > 0.0) return guess;
   guess.values += std::min(step / at.span, 2.0) * (at.state.values - at.before);
   for (const Field& field : layout.fields())
     if (field.non_negative) guess.values.segment(field.first, field.size()) = guess.values.segment(field.first, field.size()).cwiseMax(0.0);
@@ -74,7 +78,8 @@ class Walk {
   Outcome increment(State& trial, double t) {
     const bool last = t > 1.0 - 1e-12 && !settings_.leads_on;
     iterations_ = 0;
-    return newton(scene_, trial, increment_settings(settings_, last, failures_), [&](postproc::Iteration row) {
+    const auto solve = trial.yielding > 0.0 ? minimise : newton;
+    return solve(scene_, trial, increment_settings(settings_, last, failures_), [&](postproc::Iteration row) {
       iterations_ = row.iteration;
       row.increment = at_.increments + 1;
       row.attempt = failures_ + 1;
@@ -134,6 +139,13 @@ class Walk {
 
 Homotopy tightening(double from, double to) {
   return [=](State& state, double t) { state.load = from + t * (to - from); };
+}
+
+Homotopy hardening() {
+  return [](State& state, double t) {
+    state.load = 1.0;
+    state.yielding = t < 1.0 ? softest * std::pow(1e-2, t) : 0.0;
+  };
 }
 
 Homotopy releasing(double factor) {

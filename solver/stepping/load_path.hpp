@@ -28,6 +28,8 @@ struct PathSettings {
 using Homotopy = std::function<void(State& state, double t)>;
 /// The garment tightens: s goes from `from` to `to`.
 Homotopy tightening(double from = 0.0, double to = 1.0);
+/// The same at once, on a skin that yields under the garment and hardens.
+Homotopy hardening();
 /// The body gives way under the tightened garment: its stiffness falls from `factor` times its own to its own.
 Homotopy releasing(double factor);
 

@@ -144,12 +144,15 @@ class Run {
   PathResult follow(const Stage& stage, const Standing& from, const Trail& trail, bool another) {
     const PathSettings settings = settings_of(stage, another);
     const std::vector<Attempt> attempts = stage.attempts(trail);
+    std::optional<PathResult> hard;  // states on which the skin has yielded are on no way that is reported
     for (std::size_t n = 0;; ++n) {
       PathSettings one = settings;
       one.failures = attempts[n].failures.value_or(one.failures), one.first_step = attempts[n].first_step;
       const PathResult path = stage.curve ? follow_curve(*stage.curve, attempts[n].rows, from, one)
                                           : follow_path(*from.scene, from.state, attempts[n].change, one, log_.sink(attempts[n].rows));
-      if (path.complete || n + 1 == attempts.size()) return path;
+      if (path.complete) return path;
+      if (path.state.yielding == 0.0) hard = path;
+      if (n + 1 == attempts.size()) return hard ? *hard : path;
       lost_ += path.lost;
     }
   }

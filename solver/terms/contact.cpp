@@ -93,12 +93,23 @@ void Contact::decide(const State& state, ContactHistory& history) const {
   history.active.follow(trials);
 }
 
+void Contact::yield(State& state, ContactHistory& history) const {
+  std::vector<char> flags(vertices());
+  for (int i = 0; i < vertices(); ++i) {
+    const double trial = history.reference[i] - stiffness_ / state.yielding * history.weighted_gap[i] / rest_area(i);
+    const double p = faces(history, i) ? std::max(0.0, trial) : 0.0;
+    state.values[interface_.pressures(i)] = p;
+    flags[i] = p > 0.0;
+  }
+  history.active = ActiveSet({.flags = std::move(flags)});
+}
+
 void Contact::update(State& state) const {
   if (!state.history.has(name_)) renew(state);
   ContactHistory& history = edit(state);
   locate(state, history);
   weigh(state, history);
-  decide(state, history);
+  state.yielding > 0.0 ? yield(state, history) : decide(state, history);
 }
 
 void Contact::measure(const State& state, Measure& measure) const {
@@ -109,11 +120,11 @@ void Contact::measure(const State& state, Measure& measure) const {
     if (now.active[i]) {
       sum += p;
       ++measure.active;
-      measure.penetration = std::max(measure.penetration, std::abs(g));
+      if (state.yielding == 0.0) measure.penetration = std::max(measure.penetration, std::abs(g));
       measure.complementarity = std::max(measure.complementarity, -p);
     } else {
       measure.complementarity = std::max(measure.complementarity, std::abs(p));
-      if (faces(now, i)) measure.penetration = std::max(measure.penetration, -g);
+      if (state.yielding == 0.0 && faces(now, i)) measure.penetration = std::max(measure.penetration, -g);
     }
   }
   measure.changed += now.active.changed();

@@ -38,6 +38,7 @@ struct ContactHistory : public History {
   std::vector<Element> elements;         ///< one a triangle of the slave
   ActiveSet active;
   std::vector<double> weighted_gap;      ///< g~_i, m3, at the state that was updated last
+  std::vector<double> reference;         ///< Pa, p^0 of contact that yields, since the last `renew`
   std::vector<double> facing_area;       ///< the part of A_i that faces the master, m2
   std::shared_ptr<const ElementEntries> entries;
 };
@@ -50,6 +51,9 @@ struct ContactHistory : public History {
 /// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / c_i, of the others: -eps_i p_i = 0.
 /// As p^old follows the iterate, eps_i regularises the step only (augmented Lagrangian updated every iteration): the
 /// matrix [K, -G^T; -G, -eps] is quasi-definite and the converged state has g~_i = 0 exactly.
+/// Where contact yields (State::yielding y > 0) there is no set to be found: p_i = max(0, p_i^0 - c_i / y g~_i / A_i) follows from the
+/// positions, with p^0 the pressures that the increment starts from (method of multipliers: Hestenes, J. Optim. Theory Appl. 4 (1969)), and
+/// the forces are the slope of an energy, sum_i A_i y / (2 c_i) p_i^2.
 /// The quadrature stands still in the pattern while Newton's method iterates, so a point's facet may be found anew at every
 /// evaluation and is frozen in the tangent  -sum_q w_q p_q d2 g_q. `renew` cuts the triangles along the facets' edges as
 /// they lie then (facet_cut.hpp).
@@ -139,11 +143,13 @@ class Contact : public Term {
   void weigh(const State& state, ContactHistory& history) const;
   bool faces(const ContactHistory& history, int vertex) const;
   void decide(const State& state, ContactHistory& history) const;
+  void yield(State& state, ContactHistory& history) const;
   struct Patch;
   void add_points(const State& state, const ContactHistory& history, int triangle, Tangent tangent, Slot& slot) const;
   void add_point(const State& state, const ContactHistory& history, int triangle, const TriangleNodes& x, const ContactPoint& point,
                  Tangent tangent, Patch& patch) const;
-  void add_curvature(const ContactPoint& point, const Gap& gap, double force, bool master_moves, Patch& patch) const;
+  void add_curvature(const ContactPoint& point, const Gap& gap, double force, bool master_moves, bool definite,
+                     Patch& patch) const;
   void scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const;
   void add_rows(const State& state, const ContactHistory& history, int triangle, bool tangent, Slot& slot) const;
 

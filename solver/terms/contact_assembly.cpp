@@ -31,9 +31,11 @@ struct Contact::Patch {
   Eigen::Matrix<double, size, size> matrix = Eigen::Matrix<double, size, size>::Zero();
 };
 
-void Contact::add_curvature(const ContactPoint& point, const Gap& gap, double force, bool master_moves, Patch& patch) const {
+void Contact::add_curvature(const ContactPoint& point, const Gap& gap, double force, bool master_moves, bool definite, Patch& patch) const {
   // Second derivative of the gap for a frozen facet (Laursen, Computational Contact and Impact Mechanics, ch. 5):
   //   d2g = -(B_a D_a + D_a B_a) - k_ab D_a D_b + g m^ab (B_a + k_ac D_c)(B_b + k_bd D_d),
+  // `definite`: of a master that stands still it is -D_a (k - g k m^-1 k)_ab D_b, of which the positive part is kept; a sheet that nothing
+  // holds slides down what bulges, and near a centre of curvature A is nearly singular, so that no shift of the diagonal would do.
   // D_a = A^ab [ (dx - dy) . y_b + g n . dy_b ], A = m - g k, B_a = n . dy_a, as linear forms of the entries.
   Patch::Columns T = Patch::Columns::Zero(), B = Patch::Columns::Zero();
   for (int a = 0; a < 6; ++a) T.middleRows<3>(3 * a) = point.N[a] * gap.at.tangent;
@@ -43,6 +45,13 @@ void Contact::add_curvature(const ContactPoint& point, const Gap& gap, double fo
     T.middleRows<3>(row) = -gap.shape.N[b] * gap.at.tangent + gap.value * B.middleRows<3>(row);
   }
   const Eigen::Matrix2d A = gap.at.metric - gap.value * gap.at.curvature;
+  if (definite) {
+    const Eigen::Matrix2d k = gap.at.curvature;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> core(force * (k - gap.value * k * gap.at.metric.inverse() * k));
+    const Patch::Columns D = T * A.inverse() * core.eigenvectors();
+    patch.matrix.noalias() += D * core.eigenvalues().cwiseMax(0.0).asDiagonal() * D.transpose();
+    return;
+  }
   const Patch::Columns D = T * A.inverse(), E = B + D * gap.at.curvature;
   Eigen::Matrix<double, Patch::size, 6> left, right;
   left << -E, -D, E * (gap.value * gap.at.metric.inverse());
@@ -70,7 +79,7 @@ void Contact::add_point(const State& state, const ContactHistory& history, int t
     patch.matrix.row(Patch::rows + v) -= weight * phi[v] * G.transpose();
   }
   if (wanted(tangent) && p != 0.0)
-    add_curvature(point, g, weight * p, moves && tangent == Tangent::full, patch);
+    add_curvature(point, g, weight * p, moves && tangent == Tangent::full, state.yielding > 0.0 && tangent == Tangent::convex, patch);
 }
 
 void Contact::scatter(const Patch& patch, const Element& element, int facet, bool tangent, Slot& slot) const {
@@ -111,10 +120,12 @@ void Contact::add_points(const State& state, const ContactHistory& history, int 
 
 void Contact::add_rows(const State& state, const ContactHistory& history, int triangle, bool tangent, Slot& slot) const {
   const int rows = static_cast<int>(slot.residual.size()) - 3;
+  const bool yields = state.yielding > 0.0;
   for (int v = 0; v < 3; ++v) {
     const int vertex = interface_.slave.triangles[triangle].vertices[v];
-    const double epsilon = share_[vertex] * interface_.slave.area[vertex] / (row_stiffening * stiffness_);
-    if (!history.active[vertex]) slot.residual[rows + v] -= epsilon * state.values[interface_.pressures(vertex)];
+    const double epsilon = share_[vertex] * interface_.slave.area[vertex] / stiffness_ * (yields ? state.yielding : 1.0 / row_stiffening);
+    if (!history.active[vertex]) slot.residual[rows + v] -= epsilon * multiplier(state, vertex);
+    else if (yields) slot.residual[rows + v] -= epsilon * (multiplier(state, vertex) - history.reference[vertex]);
     if (tangent) slot.matrix(rows + v, rows + v) -= epsilon;
   }
 }

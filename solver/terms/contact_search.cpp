@@ -70,6 +70,8 @@ ContactHistory& Contact::edit(State& state) const {
 void Contact::renew(State& state) const {
   ContactHistory& history = edit(state);
   history.active.begin();
+  history.reference.resize(vertices());
+  for (int i = 0; i < vertices(); ++i) history.reference[i] = std::max(0.0, multiplier(state, i));
   const ContactSlave& slave = interface_.slave;
   const std::vector<MasterNodes> nodes = master_nodes(master(), state);
   tbb::parallel_for(0, triangles(), [&](int e) {
