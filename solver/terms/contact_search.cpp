@@ -123,7 +123,7 @@ static void each(Archive& with, S& memory) {
 
 void ContactHistory::write(ByteWriter& writer) const {
   each(writer, active.memory());
-  writer(elements);
+  writer(reference), writer(elements);
 }
 
 void Contact::restore(State& state) const {
@@ -132,7 +132,7 @@ void Contact::restore(State& state) const {
   auto history = std::make_shared<ContactHistory>(vertices());
   ByteReader reader(stored->bytes);
   ActiveSet::Memory memory;
-  each(reader, memory), reader(history->elements), reader.finish();
+  each(reader, memory), reader(history->reference), reader(history->elements), reader.finish();
   if (static_cast<int>(memory.flags.size()) != vertices() || static_cast<int>(history->elements.size()) != triangles())
     throw std::runtime_error("a stored state has another contact");
   history->active = ActiveSet(std::move(memory));

@@ -154,6 +154,26 @@ TEST(Path, WhatDoesNotConvergeIsNotGoneOnFrom) {
   EXPECT_EQ((path.state.values - start.values).norm(), 0.0);
 }
 
+// Where the skin yields under the garment and hardens, the garment comes to lie where it lies at once on a hard one.
+TEST(Path, ASkinThatYieldsAndHardensLeadsToTheSameAnswer) {
+  input::Case c = describe_tube(coarse());
+  c.contacts.front().friction = 0.0;
+  const solver::Meshes meshes = make_meshes(c);
+  solver::PathSettings settings;
+  settings.newton.penetration = 1e-6 * meshes.garments.front().mean_edge;
+  const auto walk = [&](const solver::Homotopy& way, double first_step) {
+    solver::Scene scene = tests::make_scene(c, meshes, Skin::rigid);
+    settings.first_step = first_step;
+    return solver::follow_path(scene, solver::placed_state(scene.layout(), meshes), way, settings, [](const postproc::Iteration&) {});
+  };
+  const solver::PathResult hard = walk(solver::tightening(), 1.0), soft = walk(solver::hardening(), 0.5);
+  ASSERT_TRUE(hard.complete) << hard.message;
+  ASSERT_TRUE(soft.complete) << soft.message;
+  EXPECT_GE(soft.increments, 2);
+  EXPECT_EQ(soft.state.yielding, 0.0);
+  EXPECT_LE((soft.state.values - hard.state.values).norm(), 1e-6 * hard.state.values.norm());
+}
+
 // A case walks the stages that it needs and no others; where a held garment does not rub, another way stands in.
 TEST(Stage, AreThoseOfTheCase) {
   input::Case c = describe_tube(coarse());
@@ -182,6 +202,10 @@ TEST(Stage, EndsInTheSceneOfTheCase) {
   EXPECT_EQ(state.load, 1.0);
   EXPECT_EQ(state.release, 1.0);
   EXPECT_EQ(state.stiffening, 1.0);
+  solver::hardening()(state, 0.5);
+  EXPECT_NEAR(state.yielding, 0.3, 1e-12);
+  solver::hardening()(state, 1.0);
+  EXPECT_EQ(state.yielding, 0.0);
   solver::releasing(1000.0)(state, 0.0);
   EXPECT_NEAR(state.stiffening, 1000.0, 1e-9);
 }

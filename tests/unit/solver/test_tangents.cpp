@@ -1,6 +1,7 @@
 // Every term's tangent is the derivative of its residual, its residual the gradient of its energy.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "solver/terms/skin_membrane_term.hpp"
@@ -134,6 +135,73 @@ TEST_P(ContactTangent, ForcesAreLinearInThePressures) {
   const Eigen::VectorXd change = (assemble(contact, moved, Tangent::none).residual - at.residual).head(forces);
   const Eigen::VectorXd exact = 1000.0 * (at.tangent * direction).head(forces);
   EXPECT_LE((change - exact).norm(), 1e-12 * exact.norm());
+}
+
+/// Contact that yields on a shaken tube, pressed at some vertices and off the skin at others.
+struct Yielding {
+  static constexpr double stiffness = 1e9, yielding = 2.0;  // Pa/m: a hundredth of a millimetre makes the pressures that it starts from
+  Shaken shaken{Skin::rigid};
+  solver::Contact& contact = *shaken.scene.find<solver::Contact>();
+  Eigen::VectorXd direction = shaken.direction();
+
+  Yielding() { contact.set_stiffness(stiffness); }
+  State at(double s) const {
+    State state = shaken.state;
+    state.yielding = yielding;
+    state.values += s * direction;
+    contact.update(state);
+    return state;
+  }
+};
+
+// Forces of contact that yields are the slope of sum_i A_i y / (2 c) p_i^2, whatever pressures it went on from; nothing changes sides.
+TEST(ContactThatYields, HasForcesThatAreTheSlopeOfAnEnergy) {
+  const Yielding scene;
+  const auto energy = [&](double s) {
+    const State state = scene.at(s);
+    double sum = 0.0;
+    for (int i = 0; i < scene.contact.vertices(); ++i) sum += scene.contact.rest_area(i) * std::pow(scene.contact.multiplier(state, i), 2);
+    return 0.5 * Yielding::yielding / Yielding::stiffness * sum;
+  };
+  const State state = scene.at(0.0);
+  solver::Measure measure;
+  scene.contact.measure(state, measure);
+  EXPECT_GT(measure.active, 0);
+  EXPECT_LT(measure.active, scene.contact.vertices());
+  EXPECT_EQ(measure.changed, 0);
+  EXPECT_EQ(measure.penetration, 0.0);
+  const double h = 1e-9, slope = (energy(h) - energy(-h)) / (2.0 * h);
+  const double exact = assemble(scene.contact, state, Tangent::none).residual.dot(scene.direction);
+  EXPECT_NEAR(slope, exact, 1e-5 * std::abs(exact));
+}
+
+// With the pressures following the positions, its tangent is the derivative of its forces, and its rows stay fulfilled.
+TEST(ContactThatYields, HasATangentInWhichPressuresFollow) {
+  const Yielding scene;
+  const Eigen::Index forces = scene.shaken.scene.layout()["contact"](0);
+  const double h = 1e-9;
+  const State state = scene.at(0.0);
+  const Eigen::VectorXd along = (scene.at(h).values - scene.at(-h).values) / (2.0 * h);
+  const Assembled now = assemble(scene.contact, state, Tangent::full);
+  const Eigen::VectorXd change = (assemble(scene.contact, scene.at(h), Tangent::none).residual - assemble(scene.contact, scene.at(-h), Tangent::none).residual) / (2.0 * h);
+  const Eigen::VectorXd expected = now.tangent * along;
+  EXPECT_LE((change - expected).head(forces).norm(), 1e-4 * expected.head(forces).norm());
+  EXPECT_LE(expected.tail(expected.size() - forces).norm(), 1e-4 * (now.tangent.bottomLeftCorner(expected.size() - forces, forces) * along.head(forces)).norm());
+  EXPECT_LE(now.residual.tail(expected.size() - forces).norm(), 1e-12 * now.residual.norm());
+}
+
+// Pressure on what bulges is unstable by itself: its stiffness has negative eigenvalues, which the convex form leaves out.
+TEST(ContactThatYields, IsPositiveInItsConvexForm) {
+  const Yielding scene;
+  const Eigen::Index forces = scene.shaken.scene.layout()["contact"](0);
+  const State state = scene.at(0.0);
+  const auto eigenvalues = [&](Tangent tangent) -> Eigen::VectorXd {
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd(assemble(scene.contact, state, tangent).tangent).topLeftCorner(forces, forces);
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+  };
+  const double scale = eigenvalues(Tangent::full).cwiseAbs().maxCoeff();
+  EXPECT_LT(eigenvalues(Tangent::full).minCoeff(), -0.1 * scale);
+  EXPECT_GT(eigenvalues(Tangent::convex).minCoeff(), -1e-12 * scale);
 }
 
 INSTANTIATE_TEST_SUITE_P(SkinsAndBases, ContactTangent,
