@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,8 @@ void check_tube(const GarmentSpec& garment, const Table* pattern, Diagnostics& d
   missing("length", "length", "200 mm");
   if (!garment.bottom.empty())
     diagnostics.error(garment.where, "bottom is for sewing patterns; a tube has its lower edge", "leave it out");
+  for (const auto& [scale, key, size] : {std::tuple{tube.girth_scale, "girth_scale", "circumference"}, std::tuple{tube.length_scale, "length_scale", "length"}})
+    if (scale != 1.0) diagnostics.error(tube.where, fmt::format("{} is of the drawings of a pattern, and this is a tube", key), fmt::format("change its {}", size));
 }
 
 /// Rows from below, within the tube.

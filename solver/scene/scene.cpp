@@ -223,13 +223,16 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
 
 bool Scene::respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns()), x;
+  Eigen::VectorXd folded = forces;
+  numbering_.fold(folded);
   for (int i = 0; i < layout_.size(); ++i)
-    if (const int row = numbering_.unknown(i); row >= 0) right[row] += forces[i];
+    if (const int row = numbering_.unknown(i); row >= 0) right[row] += folded[i];
   if (!solver_.solve_again(right, x)) return false;
   Eigen::VectorXd still = Eigen::VectorXd::Zero(layout_.size());
   step = still;
   for (int i = 0; i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
+  numbering_.spread(step);
   for (const auto& term : terms_) term->recover(state, step), term->recover(state, still);
   step -= still;  // what is recovered without any step belongs to `solve`
   return true;

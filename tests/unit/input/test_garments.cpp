@@ -55,6 +55,8 @@ TEST(Garments, WhatATubeIsIsSaidOnceAndInOrder) {
   // Each row is one mistake; the error names it and its line.
   using testing::HasSubstr;
   EXPECT_THAT(errors_of(graduated("flat_circumference = \"1 m\", " + two)), HasSubstr("case.toml:4:11: error: flat_circumference is of a tube that is as wide everywhere"));
+  EXPECT_THAT(errors_of("pattern = { flat_circumference = \"30 cm\", length = \"20 cm\", girth_scale = 0.9 }\n"), HasSubstr("girth_scale is of the drawings of a pattern, and this is a tube"));
+  EXPECT_THAT(errors_of("pattern = { flat_circumference = \"30 cm\", length = \"20 cm\", length_scale = 1.1 }\n"), HasSubstr("length_scale is of the drawings"));
   EXPECT_THAT(errors_of("pattern = { kind = \"graduated\", length = \"200 mm\" }\n"), HasSubstr("neither circumferences nor pressures"));
   EXPECT_THAT(errors_of("pattern = { kind = \"graduated\", " + two + " }\n"), HasSubstr("the key length is missing"));
   EXPECT_THAT(errors_of(graduated("circumferences = [{ height = \"0 mm\", girth = \"20 cm\" }]")), HasSubstr("circumferences has one row"));
