@@ -87,7 +87,7 @@ class JobsOfACase : public testing::Test {
     }
     return {};
   }
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "snug-jobs-of-a-case";
+  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / (std::string("snug-jobs-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
   Jobs jobs_;
 };
 
