@@ -22,6 +22,8 @@ struct Target {
 std::vector<Target> targets();
 /// Those of garments and of the tests of fabrics, which are among them.
 std::vector<Target> garment_targets();
+/// Those of the engineering database, which are among them, too.
+std::vector<Target> library_targets();
 
 /// Reads a text as a user would have it read: true unless something other than input::InputError was thrown (then `what`
 /// says it), or an InputError without a place.

@@ -6,28 +6,15 @@
 #include <cmath>
 #include <random>
 
+#include "tests/unit/mesh/tensile_curves.hpp"
+
 namespace snug::mesh {
 
 namespace {
 
+using tests::linear, tests::exponential, tests::most_tension, tests::most_strain, tests::curvature;
 using Eigen::Vector3d;
 using Places = std::vector<Vector3d>;
-
-TensileCurve linear(double stiffness) {
-  return [=](double stretch) {
-    return Tensile{0.5 * stiffness * (stretch - 1.0) * (stretch - 1.0), stiffness * (stretch - 1.0), stiffness};
-  };
-}
-
-/// T = Tm (exp(a e / em) - 1) / (exp(a) - 1), the kind of curve that a tensile test of KES has.
-constexpr double most_tension = 490.0, most_strain = 0.3, curvature = 3.0;
-TensileCurve exponential() {
-  return [](double stretch) {
-    const double rate = curvature / most_strain, factor = most_tension / std::expm1(curvature), strain = stretch - 1.0;
-    return Tensile{factor * (std::expm1(rate * strain) / rate - strain), factor * std::expm1(rate * strain),
-                   factor * rate * std::exp(rate * strain)};
-  };
-}
 
 SheetLaws cloth(double stiffness = 500.0) {
   return {.warp = linear(stiffness),
