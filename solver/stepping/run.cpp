@@ -184,7 +184,9 @@ class Run {
     path.newton.penetration = 1e-6 * contact_edge();
     if (kept_.steps > 0) {
       path.longest_step = 1.0 / kept_.steps;
-      path.accepted = [this](const Scene& scene, const State& state, double t) { keep(scene, state, stages_ + t); };
+      path.accepted = [this](const Scene& scene, const State& state, double t) {
+        if (state.yielding == 0.0) keep(scene, state, stages_ + t);  // the skin of no wearer is a mattress
+      };
     }
     return path;
   }
