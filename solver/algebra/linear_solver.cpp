@@ -304,7 +304,8 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
     report.refactored = true;
     const bool factored = p.renew_factor();
     report.factor_seconds += lap();
-    report.ok = factored && p.iterate({exact, nearly_exact, near ? fresh_iterations : most_unsymmetric}, report.iterations);
+    const double goal = p.kind == FactorKind::double_precision ? exact : std::max(exact, lag.tolerance);
+    report.ok = factored && p.iterate({goal, std::max(goal, nearly_exact), near ? fresh_iterations : most_unsymmetric}, report.iterations);
     p.factored = report.ok;
     report.solve_seconds += lap();
   };
