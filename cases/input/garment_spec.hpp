@@ -147,6 +147,21 @@ struct ZoneSpec {
   }
 };
 
+/// A control net that the garment is placed on, instead of on the skin.
+struct ShapeSpec {
+  std::filesystem::path net;  ///< a file of nets (docs/curves.md)
+  std::string name;           ///< of the net in it; empty: its only one
+  int subdivide = 3;
+  Location where = {};
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    field(Field{.key = "net", .meaning = "JSON file of curves and nets (docs/curves.md): points round the body, row over row", .required = true}, self.net);
+    field(Field{.key = "name", .meaning = "of the net in the file; left out: the only one"}, self.name);
+    field(Field{.key = "subdivide", .meaning = "steps of the four-point scheme that make the net a surface", .bound = between(0, 6)}, self.subdivide);
+  }
+};
+
 /// Rest length (m) of a band along an edge that is `pattern_length` (m) as cut; empty where the text is neither a percentage nor
 /// a length.
 std::optional<double> rest_length(const BandSpec& band, double pattern_length);
@@ -166,6 +181,7 @@ struct GarmentSpec {
   std::vector<HeldEdge> held;
   std::vector<BandSpec> band;
   std::vector<ZoneSpec> zone;  ///< once the pattern is read, those that it names, too
+  std::optional<ShapeSpec> shape;
   Location where;
 
   template <class Self, class Visitor>
@@ -184,6 +200,7 @@ struct GarmentSpec {
                 .meaning = "angle at which the (first) seam lies round the limb: 0 = side (+x), 90 deg = front (+y); left out: 180 deg, and "
                            "of a pattern with pieces called front or back where these come to lie there"},
           self.seam);
+    field(Field{.key = "shape", .meaning = "control net round one limb that the garment is placed on before it tightens; left out: the skin", .text_key = "net"}, self.shape);
     field(Field{.key = "bottom", .meaning = "open edge of a pattern that lies lowest; left out: the one that its drawing has lowest"}, self.bottom);
     field(Field{.key = "cell_size",
                 .unit = "m",

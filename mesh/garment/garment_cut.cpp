@@ -80,6 +80,9 @@ struct OnBody {
 
 /// A tube is laid on a body that branches as the flat rectangle that it is, whose courses are of one length.
 void check_flat(const GarmentCut& cut) {
+  if (cut.spec.shape)
+    throw InputError(cut.spec.shape->where, "a net goes round one limb, and the body branches where this garment is to lie",
+                     "leave the shape out: patterns are placed on such bodies by themselves, or cut the scan so that one limb is left");
   if (cut.spec.pattern.graduated())
     throw InputError(cut.spec.pattern.where, "a graduated tube goes round one limb, and the body branches where this one is to lie",
                      "place it on a part of the body that is one tube, or cut the scan so that one limb is left");
@@ -105,6 +108,7 @@ OnBody place_on_body(const GarmentCut& cut, const DressForm& form, double cell, 
 
 GarmentCut read_cut(const input::GarmentSpec& spec) {
   GarmentCut cut{spec, std::nullopt};
+  if (spec.shape) cut.shape = read_net_shape(*spec.shape);
   if (!spec.pattern.sewn()) return cut;
   Pattern pattern = read_pattern(spec.pattern.file);
   check_pieces(pattern);
@@ -143,12 +147,22 @@ GarmentFit placed_fit(const GarmentCut& cut, const Limb& limb) {
 
 GarmentFit placed_fit(const GarmentCut& cut, const DressForm& form) { return place_on_body(cut, form, coarse_cell(cut), usual_lift).fit; }
 
-GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift) {
+namespace {
+
+GarmentMesh on_skin(const GarmentCut& cut, const Limb& limb, double worn_size, double lift) {
   if (!cut.pattern) return make_tube_mesh(cut.spec, limb, worn_size, lift);
   const double stretch = cut.spec.cell_size > 0.0 ? 1.0 : mean_stretch(mean_fit(placed_fit(cut, limb), limb));
   const SewnMesh sewn = mesh_pattern(*cut.pattern, flat_cell(cut, worn_size, stretch));
   LimbPlacement placement = place_on_limb(sewn, cut.spec, limb, lift);
   return finished(cut, sewn, placement.placed, std::move(placement.fit), placement.stand_off);
+}
+
+}  // namespace
+
+GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift) {
+  GarmentMesh mesh = on_skin(cut, limb, worn_size, lift);
+  if (cut.shape) lay_on(*cut.shape, limb, mesh);
+  return mesh;
 }
 
 GarmentMesh make_garment_mesh(const GarmentCut& cut, const DressForm& form, double worn_size, double lift) {

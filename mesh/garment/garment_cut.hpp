@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/garment/garment_mesh.hpp"
+#include "mesh/garment/net_shape.hpp"
 #include "mesh/pattern/checks.hpp"
 #include "mesh/placement/dress_form.hpp"
 
@@ -14,10 +15,11 @@ namespace snug::mesh {
 struct GarmentCut {
   input::GarmentSpec spec;
   std::optional<CheckedPattern> pattern;  ///< none of a tube
+  std::optional<NetShape> shape = {};     ///< that it is placed on instead of the skin
 };
 
 /// Reads and checks the pattern that a garment names, in the size and with the pieces that it wants; settles which piece is of which fabric
-/// (garment_zones.hpp). Throws input::InputError.
+/// (garment_zones.hpp); reads the net that it is placed on. Throws input::InputError.
 GarmentCut read_cut(const input::GarmentSpec& spec);
 
 struct CutSize {
@@ -35,7 +37,7 @@ double rise_of(const GarmentCut& cut);
 GarmentFit placed_fit(const GarmentCut& cut, const Limb& limb);
 GarmentFit placed_fit(const GarmentCut& cut, const DressForm& form);
 
-/// A tube as make_tube_mesh has it; of a pattern the pieces meshed with edges of about `worn_size` as worn (`spec.cell_size` on
+/// On a limb, and from there on the net of its shape if it has one (NetShape). A tube as make_tube_mesh has it; of a pattern the pieces meshed with edges of about `worn_size` as worn (`spec.cell_size` on
 /// the pattern where the case gives one), sewn, and placed as place_on_limb does. Open edges have the pattern's names; edges of pieces that the
 /// garment is held at ("front.waist") theirs. Throws input::InputError.
 GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift = 2e-4);

@@ -1,7 +1,12 @@
 // Garments of several fabrics and graduated tubes through the program, and the shipped garments at a coarse mesh.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "tests/cases/program.hpp"
 
@@ -80,6 +85,37 @@ TEST_F(Garments, JeansPressMoreTheStifferTheirDenimAndTheTShirtHangs) {
   const Outcome shirt = snug("run " + shipped("tshirt") + " --out shirt --no-report --set solver.tier=L1 --set body.cells_around=10 --set body.cells_along=6");
   ASSERT_EQ(shirt.status, 0) << shirt.text;
   EXPECT_LT(summary("shirt").at("balance").at("contact_force_N").get<double>(), 20.0);
+}
+
+TEST_F(Garments, AVestOnTheNetOfItsKeyPointsIsWornAsOneLaidOnTheSkin) {
+  // Eight key points at each of five heights, 15 mm off ellipses of the torso's girths (body/torso.csv); subdivided they are the placed shape. Friction
+  // remembers where cloth came to lie and triangles bridge other chords there: locations agree to 1e-3, the mean pressure to 5e-5.
+  std::string rows;
+  for (const auto& [height, girth, ratio] : {std::array{0.0, 985.0, 1.42}, std::array{110.0, 860.0, 1.40}, std::array{210.0, 735.0, 1.36}, std::array{310.0, 800.0, 1.34}, std::array{410.0, 910.0, 1.30}}) {
+    const double depth = girth / (std::numbers::pi * (3.0 * (ratio + 1.0) - std::sqrt((3.0 * ratio + 1.0) * (ratio + 3.0))));  // mm, half of it, after Ramanujan
+    rows += rows.empty() ? "[" : ", [";
+    for (int k = 0; k < 8; ++k) {
+      const double angle = 0.25 * std::numbers::pi * k;
+      rows += fmt::format("{}[{:.2f}, {:.2f}, {}]", k ? ", " : "", (ratio * depth + 15.0) * std::cos(angle), (depth + 15.0) * std::sin(angle), height);
+    }
+    rows += "]";
+  }
+  fs::copy(fs::path(SNUG_SOURCE_DIR) / "cases/vest", folder_ / "vest", fs::copy_options::recursive);
+  write("vest/net.json", R"({"format": "snug curves", "unit": "1 mm", "nets": [{"name": "vest", "closed": [false, true], "points": [)" + rows + "]}]}");
+  const std::string rigid = " --set solver.tier=L1" + coarse_;
+  const Outcome skin = snug("run vest --out skin" + rigid), net = snug("run vest --out net --set garment.shape=net.json" + rigid);
+  ASSERT_EQ(skin.status, 0) << skin.text;
+  ASSERT_EQ(net.status, 0) << net.text;
+  EXPECT_THAT(net.text, testing::HasSubstr("placed on the net vest of net.json"));
+  const nlohmann::json on_skin = summary("skin"), on_net = summary("net");
+  EXPECT_EQ(on_net.at("status"), "converged");
+  ASSERT_GE(on_skin.at("locations").size(), 4u);
+  for (std::size_t l = 0; l < on_skin.at("locations").size(); ++l) {
+    const double expected = on_skin.at("locations")[l].at("mean_pressure_Pa");
+    EXPECT_NEAR(on_net.at("locations")[l].at("mean_pressure_Pa").get<double>(), expected, 1e-3 * expected) << on_skin.at("locations")[l].at("location");
+  }
+  const double mean = on_skin.at("numbers").at("mean_contact_pressure_Pa");
+  EXPECT_NEAR(on_net.at("numbers").at("mean_contact_pressure_Pa").get<double>(), mean, 5e-5 * mean);
 }
 
 TEST_F(Garments, AsParticlesAShapeIsGivenAndNoPressures) {

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "cases/input/csv.hpp"
 #include "materials/database/doubts.hpp"
 #include "materials/database/evaluation.hpp"
@@ -300,6 +302,18 @@ TEST_F(ShippedLibrary, EveryMeasuredSiteOfTheLimbsComesBackWithItsQuartiles) {
     EXPECT_EQ(site.find("indentation stiffness")->low, cell(csv, r, "stiffness_q25"));
     EXPECT_EQ(site.find("indentation stiffness")->high, cell(csv, r, "stiffness_q75"));
   }
+}
+
+TEST_F(ShippedLibrary, GirthsOfASizeFollowFromThoseOfTheAverageOneByTheRuleThatTheirHeaderTells) {
+  // x (1 + r (neck/neck0 - 1)), rounded to millimetres; the numbers of size 34 are those of the source (FreeSewing, models).
+  const Library library = open();
+  const auto mm = [&](int size, const char* item) { return 1e3 * *library.find(fmt::format("woman of size {}", size))->find(item)->si; };
+  EXPECT_NEAR(mm(34, "upper leg girth"), 570.0, 1e-9);
+  EXPECT_NEAR(mm(34, "ankle girth"), 245.0, 1e-9);
+  for (int size = 28; size <= 46; size += 2)
+    for (const auto& [item, r] : {std::pair{"ankle girth", 1.0}, std::pair{"waist", 0.85}, std::pair{"knee girth", 0.65}, std::pair{"upper leg girth", 0.45}, std::pair{"inseam", 0.25}})
+      EXPECT_NEAR(mm(size, item), mm(34, item) * (1.0 + r * (size / 34.0 - 1.0)), 0.5 + 1e-9) << size << " " << item;
+  EXPECT_THAT(library.find_where("\"upper leg girth\" > 67 cm"), ElementsAre("man of size 46", "man of size 48", "man of size 50"));
 }
 
 TEST_F(ShippedLibrary, TextAndLibraryAgreeAndADifferenceIsTold) {
