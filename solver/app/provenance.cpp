@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "cases/input/named_files.hpp"
 #include "solver/app/hash.hpp"
 #include "solver/app/launch.hpp"
 
@@ -26,15 +27,7 @@ std::string hash_of(const fs::path& path) {
 
 std::vector<fs::path> input_files(const input::Case& description) {
   std::vector<fs::path> files = {description.directory / "case.toml"};
-  if (description.body && !description.body->stations.empty()) files.push_back(description.body->stations);
-  if (description.body && !description.body->mesh.empty()) files.push_back(description.body->mesh);
-  if (description.body && description.body->scan) files.push_back(description.body->scan->surface);
-  if (description.body && description.body->scan && description.body->scan->core) files.push_back(description.body->scan->core->surface);
-  if (const auto& reference = description.reference) {
-    if (reference->displacement) files.push_back(reference->displacement->file);
-    if (reference->stress) files.push_back(reference->stress->file);
-    if (reference->nodes) files.push_back(*reference->nodes);
-  }
+  for (const fs::path& file : input::named_files(description)) files.push_back(file);
   if (!description.comfort) return files;
   std::vector<input::MaterialEntry> comfort = description.comfort->thresholds;
   comfort.insert(comfort.begin(), {description.comfort->curves, description.comfort->fuzzy});

@@ -5,6 +5,7 @@
 #include "cases/input/case_checks.hpp"
 #include "cases/input/echo.hpp"
 #include "cases/input/garment_checks.hpp"
+#include "cases/input/named_files.hpp"
 #include "cases/input/reader.hpp"
 
 namespace snug::input {
@@ -49,6 +50,23 @@ TEST(Garments, AGraduatedTubeArrivesInSiAndComesBackFromItsEcho) {
   EXPECT_EQ(again.pattern.kind, PatternKind::graduated);
   EXPECT_EQ(again.pattern.circumferences[0].girth, garment.pattern.circumferences[0].girth);
   EXPECT_EQ(again.zone[0].to_height, garment.zone[0].to_height);
+}
+
+TEST(Garments, AllFilesThatACaseNamesAreAmongItsFiles) {
+  // Of every kind of key that names one; provenance hashes these.
+  Case description;
+  description.body.emplace();
+  description.body->scan.emplace();
+  description.body->scan->surface = "scan.obj";
+  description.body->scan->core.emplace();
+  description.body->scan->core->surface = "bone.stl";
+  description.garments.resize(2);
+  description.garments[0].pattern.file = "vest.toml";
+  description.garments[1].shape.emplace();
+  description.garments[1].shape->net = "net.json";
+  description.reference.emplace();
+  description.reference->nodes = "nodes.lis";
+  EXPECT_THAT(named_files(description), testing::UnorderedElementsAre("scan.obj", "bone.stl", "vest.toml", "net.json", "nodes.lis"));
 }
 
 TEST(Garments, WhatATubeIsIsSaidOnceAndInOrder) {
