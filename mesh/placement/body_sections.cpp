@@ -85,9 +85,10 @@ std::optional<SectionLoop> BodySections::trunk(double z) const {
 }
 
 std::optional<SectionLoop> BodySections::leg(Side side, double z) const {
+  constexpr double widest_stance = 0.2;  // an ankle from the middle over the stature; a hand that hangs there is thinner than the thigh beside it
   return largest(at(z), [&](const SectionLoop& loop) {
     const double x = sign_of(side) * loop.centroid.x();
-    return x > 0.0 && x < 0.12 * scale_;
+    return x > 0.0 && x < widest_stance * scale_;
   });
 }
 

@@ -74,7 +74,7 @@ FacetNodes MasterSurface::positions(const State& state, int facet) const {
 }
 
 bool MasterSurface::settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const {
-  int previous = -1;
+  std::vector<Site> way;  // facets that x projects beyond, with the place
   for (int walk = 0; walk < 12; ++walk, stay = 0.0) {
     if (!project(kind_, positions(state, site.facet), x, 1.5, site.xi)) return false;
     int edge = 0;
@@ -82,19 +82,37 @@ bool MasterSurface::settle(const State& state, const Eigen::Vector3d& x, double 
       if (beyond(*domain_, e, site.xi) > beyond(*domain_, edge, site.xi)) edge = e;
     const double over = beyond(*domain_, edge, site.xi);
     if (over <= 1e-9 || over <= stay) return true;
+    way.push_back(site);
     const int next = neighbours_[site.facet][edge];
     if (next < 0) {  // the border: a hair's breadth over it still counts
       site.xi = clamped(kind_, site.xi);
       return over <= border_reach - 1.0;
     }
-    if (next == previous) {  // the point stands over a convex kink between two facets: their common edge is nearest
-      site.xi = clamped(kind_, site.xi);
+    const auto seen = std::find_if(way.begin(), way.end(), [&](const Site& at) { return at.facet == next; });
+    if (seen != way.end()) {  // the point stands over a convex kink, an edge or a corner, that these facets share
+      way.erase(way.begin(), seen);
+      site = nearest_of(state, x, std::move(way));
       return true;
     }
-    previous = site.facet;
     site = {next, domain_->centre};
   }
   return false;
+}
+
+double MasterSurface::distance(const State& state, const Eigen::Vector3d& x, const Site& site) const {
+  return (x - positions(state, site.facet) * facet_shape(kind_, site.xi).N).norm();
+}
+
+/// The nearest of the places, each drawn to its facet's edge; the first of those that are as near, so that a point which comes from one
+/// of the facets stays with it: one that went round with every look would meet another normal in every iterate.
+Site MasterSurface::nearest_of(const State& state, const Eigen::Vector3d& x, std::vector<Site> places) const {
+  const double as_near = 1e-3 * mean_edge_;
+  for (Site& at : places) at.xi = clamped(kind_, at.xi);
+  const Site* best = &places.front();
+  double least = distance(state, x, *best);
+  for (const Site& at : places)
+    if (const double d = distance(state, x, at); d < least - as_near) least = d, best = &at;
+  return *best;
 }
 
 Site MasterSurface::follow(const State& state, const Eigen::Vector3d& x, const Site& last) const {
@@ -107,12 +125,12 @@ Site MasterSurface::follow(const State& state, const Eigen::Vector3d& x, const S
 
 Site MasterSurface::find(const State& state, const Eigen::Vector3d& x) const {
   Site best;
-  double distance = std::numeric_limits<double>::max();
+  double least = std::numeric_limits<double>::max();
   for (const int facet : tree_.nearest(x, 6)) {
     Site site{facet, domain_->centre};
     if (!settle(state, x, 0.0, site)) continue;
-    const double d = (x - positions(state, site.facet) * facet_shape(kind_, site.xi).N).norm();
-    if (d < distance) distance = d, best = site;
+    const double d = distance(state, x, site);
+    if (d < least) least = d, best = site;
   }
   return best;
 }

@@ -52,6 +52,8 @@ class MasterSurface {
                 std::vector<Eigen::Vector3d> reference, double mean_edge);
   /// Walks from `site` to the facet that x projects into; the first facet may be left by `stay` without leaving it.
   bool settle(const State& state, const Eigen::Vector3d& x, double stay, Site& site) const;
+  Site nearest_of(const State& state, const Eigen::Vector3d& x, std::vector<Site> places) const;
+  double distance(const State& state, const Eigen::Vector3d& x, const Site& site) const;  ///< m
   void connect();
   std::vector<Eigen::AlignedBox3d> boxes() const;
 

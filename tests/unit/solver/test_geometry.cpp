@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include <numbers>
+
 #include "solver/terms/garment_shape.hpp"
 #include "solver/terms/master_surface.hpp"
 #include "tests/unit/solver/terms.hpp"
@@ -110,6 +112,56 @@ TEST_F(TubeSkin, APointStaysWithItsFacetALittleOverTheEdgeAndLeavesItFartherOut)
 TEST_F(TubeSkin, APointBeyondTheHemFacesNoSkin) {
   const Eigen::Vector3d x(0.056, 0.0, tube.length + 0.002);
   EXPECT_EQ(skin.find(state, x).facet, -1);
+}
+
+/// Flat triangles round their first corner, the origin, which is the highest point: a roof of two, or a pyramid of `sides`.
+struct Peak {
+  explicit Peak(int sides) : around(sides) {
+    body.kind = mesh::CellKind::tet10;
+    body.nodes.push_back(Eigen::Vector3d::Zero());
+    for (int k = 0; k < sides; ++k) {
+      const double turn = 2.0 * std::numbers::pi * (k + 0.2) / sides;
+      body.nodes.emplace_back(0.02 * std::cos(turn), 0.02 * std::sin(turn), -0.008);
+    }
+    for (int k = 0; k < sides; ++k) add(0, 1 + k, 1 + (k + 1) % sides);
+  }
+  void add(int a, int b, int c) {
+    mesh::FacetNodeNumbers facet;
+    facet.fill(-1);
+    facet[0] = a, facet[1] = b, facet[2] = c;
+    for (int e = 0; e < 3; ++e) {
+      facet[3 + e] = static_cast<int>(body.nodes.size());
+      body.nodes.emplace_back(0.5 * (body.nodes[facet[e]] + body.nodes[facet[(e + 1) % 3]]));
+    }
+    facets.push_back(facet);
+  }
+  int around;
+  mesh::BodyMesh body;
+  std::vector<mesh::FacetNodeNumbers> facets;
+};
+
+// One that went over to the other side with every look would meet another normal in every iterate of Newton's method, which would not end.
+TEST(Peaks, APointOverAnEdgeOrACornerThatBulgesKeepsItsFacet) {
+  const solver::State state;
+  for (const int sides : {3, 4, 5, 7}) {
+    const Peak peak(sides);
+    const MasterSurface surface({}, peak.body, peak.facets);
+    const double turn = 2.0 * std::numbers::pi * 0.2 / sides;
+    const Eigen::Vector3d along = Eigen::Vector3d(0.02 * std::cos(turn), 0.02 * std::sin(turn), -0.008), up(0.0, 0.0, 0.012);
+    for (const bool corner : {true, false})
+      for (int from = 0; from < sides; ++from) {
+        const Eigen::Vector3d x = corner ? Eigen::Vector3d(up + Eigen::Vector3d(1e-4, 2e-4, 0.0)) : Eigen::Vector3d(0.5 * along + up);
+        Site site = surface.follow(state, x, {from, {1.0 / 3.0, 1.0 / 3.0}});
+        ASSERT_GE(site.facet, 0) << sides;
+        const Eigen::Vector3d foot = surface.positions(state, site.facet) * solver::facet_shape(surface.kind(), site.xi).N;
+        EXPECT_LE(corner ? foot.norm() : foot.cross(along.normalized()).norm(), 1e-12) << sides << " from " << from;
+        for (int look = 0; look < 3; ++look) {
+          const Site next = surface.follow(state, x + 1e-6 * random_vector(3, 1.0, static_cast<unsigned>(look)), site);
+          EXPECT_EQ(next.facet, site.facet) << sides << " from " << from;
+          EXPECT_LE((next.xi - site.xi).norm(), 1e-3);
+        }
+      }
+  }
 }
 
 double factorial(int n) { return n < 2 ? 1.0 : n * factorial(n - 1); }
