@@ -66,6 +66,21 @@ TEST(ClosedSkin, LandmarksOfACutBody) {
   EXPECT_LT(marks.crotch, crotch + 0.025);  // where it reaches across by 0.024 of the scale
 }
 
+// Legs that stand apart, an ankle as far from the middle as half of the thigh's height, have sections down to their cuts.
+TEST(ClosedSkin, LegsThatStandApartAreFoundDownToTheirCuts) {
+  const auto straddling = [](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q(std::abs(p.x()), p.y(), p.z()), flat(q.x() / 1.3, q.y(), q.z());
+    return std::min(round_cone(flat, {0, 0, 0.32}, {0, 0, 0.62}, 0.088, 0.08), round_cone(q, {0.21, 0, -0.1}, {0.062, 0, 0.30}, 0.040, 0.056));
+  };
+  const DressForm form(body_of_skin(ImplicitBody(straddling, {0.24, 0.11}, 0.0, 0.46, 0.023, 0.03).take(), {"hips"}));
+  for (const Side side : {Side::right, Side::left})
+    for (const double z : {0.01, 0.05, 0.15}) {
+      const auto leg = form.sections.leg(side, z);
+      ASSERT_TRUE(leg) << z;
+      EXPECT_NEAR(sign_of(side) * leg->centroid.x(), 0.21 - 0.148 * (z + 0.1) / 0.4, 0.005) << z;
+    }
+}
+
 // Shorts on hips: one mesh for the solver, with the pattern's areas, open edges and names, round each leg and the trunk, outside the body.
 TEST(BranchingPlacement, ShortsAreLaidOnHips) {
   const GarmentMesh mesh = make_garment_mesh(shorts(), child_form(), 0.015);
