@@ -1,7 +1,7 @@
 // What the wearer feels, as JSON: rows of summary.json, comfort.json, and what snug score prints.
 #include <stdexcept>
 
-#include "postproc/documents.hpp"
+#include "postproc/evaluation_document.hpp"
 #include "postproc/units.hpp"
 
 namespace snug::postproc {
@@ -143,11 +143,13 @@ Json comfort_document(const Evaluation& evaluation) {
   return as_read(comfort_json(evaluation));
 }
 
-std::string evaluation_json(const Evaluation& evaluation) {
+Json evaluation_document(const Evaluation& evaluation) {
   Json json = {
       {"locations", locations_json(evaluation)}, {"thresholds", thresholds_json(evaluation)}, {"comfort", nullptr}};
   if (evaluation.comfort || !evaluation.no_score.empty()) json["comfort"] = comfort_json(evaluation);
-  return text_of(json);
+  return as_read(json);
 }
+
+std::string evaluation_json(const Evaluation& evaluation) { return text_of(evaluation_document(evaluation)); }
 
 }  // namespace snug::postproc

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -33,8 +34,14 @@ void drop_empty_end(Csv::Row& row, std::size_t keep) {
   while (row.cells.size() > keep && row.cells.back().empty()) row.cells.pop_back(), row.columns.pop_back();
 }
 
+/// A line above the head: one text in a row of several cells, as spreadsheets have the name of a table over its columns.
+bool is_title(const Csv::Row& row) {
+  return row.cells.size() > 1 && !row.cells[0].empty() && std::all_of(row.cells.begin() + 1, row.cells.end(), [](const std::string& cell) { return cell.empty(); });
+}
+
 void add_row(Csv& csv, Csv::Row row, Diagnostics& diagnostics) {
   if (csv.columns.empty()) {
+    if (is_title(row)) return;
     drop_empty_end(row, 1);
     for (std::size_t c = 0; c < row.cells.size(); ++c) {
       const HeadText head = head_of(row.cells[c]);
@@ -123,7 +130,27 @@ void report_missing(const Csv& csv, const std::string& column, Diagnostics& diag
 
 namespace {
 
+/// Units may stand in a row of their own below the names: every cell of it a unit, none in the head.
+void take_units_below_the_head(Csv& csv) {
+  if (csv.rows.empty() || std::any_of(csv.columns.begin(), csv.columns.end(), [](const Csv::Column& column) { return !column.unit.empty(); })) return;
+  const auto bare = [](std::string cell) {
+    const bool brackets = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
+    return brackets ? cell.substr(1, cell.size() - 2) : cell;
+  };
+  const auto is_unit = [&](const std::string& cell) {
+    double factor = 0.0;
+    constexpr std::array dimensions = {"m", "Pa", "N", "N/m", "s", "kg", "kg/m2", "rad"};
+    return std::any_of(dimensions.begin(), dimensions.end(), [&](const char* one) { return unit_factor(bare(cell), one, factor); });
+  };
+  const std::vector<std::string>& cells = csv.rows.front().cells;
+  if (std::none_of(cells.begin(), cells.end(), is_unit)) return;
+  if (!std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) { return cell.empty() || cell == "-" || cell == "1" || cell == "%" || is_unit(cell); })) return;
+  for (std::size_t c = 0; c < cells.size(); ++c) csv.columns[c].unit = cells[c] == "1" || cells[c] == "-" ? "" : bare(cells[c]);
+  csv.rows.erase(csv.rows.begin());
+}
+
 Csv finished(Csv csv, Diagnostics& diagnostics) {
+  take_units_below_the_head(csv);
   const Comma comma = comma_of(csv);
   csv.decimal_comma = comma == Comma::decimal;
   if (comma == Comma::unclear)
@@ -137,12 +164,14 @@ Csv finished(Csv csv, Diagnostics& diagnostics) {
 /// Columns as the sheet counts them; rows end where the sheet has no more cells.
 Csv of_sheet(std::vector<SheetRow> sheet, Csv csv, Diagnostics& diagnostics) {
   csv.separator = '\0';
+  std::size_t widest = 0;
+  for (const SheetRow& row : sheet) widest = std::max(widest, row.cells.size());
   for (SheetRow& from : sheet) {
     Csv::Row row{.line = from.number, .cells = {}, .columns = {}};
     for (std::string& cell : from.cells) row.cells.push_back(trimmed(cell)), row.columns.push_back(static_cast<int>(row.cells.size()));
     const bool empty = std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); });
     if (empty || row.cells[0].starts_with('#')) continue;
-    while (row.cells.size() < csv.columns.size()) row.cells.emplace_back(), row.columns.push_back(static_cast<int>(row.cells.size()));
+    while (row.cells.size() < (csv.columns.empty() ? widest : csv.columns.size())) row.cells.emplace_back(), row.columns.push_back(static_cast<int>(row.cells.size()));
     add_row(csv, std::move(row), diagnostics);
   }
   return finished(std::move(csv), diagnostics);

@@ -1,5 +1,6 @@
 #include "cases/input/paths.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "cases/input/suggestion.hpp"
@@ -28,6 +29,16 @@ std::vector<std::string> names_beside(const fs::path& file) {
   return names;
 }
 
+/// What to write in place of a path with backslashes; empty where it has none.
+std::string remedy_of_windows(std::string text, const fs::path& directory) {
+  if (text.find('\\') == text.npos) return {};
+  std::replace(text.begin(), text.end(), '\\', '/');
+  std::error_code failed;
+  const bool has_drive = text.size() > 1 && text[1] == ':';
+  if (!has_drive && fs::is_regular_file(directory / text, failed)) return "write \"" + text + "\"";
+  return "copy the file into the case directory and name it from there with /: \"" + text.substr(text.rfind('/') + 1) + "\"";
+}
+
 }  // namespace
 
 fs::path resolve_path(const std::string& text, const Location& where, const ReadRules& rules,
@@ -41,6 +52,10 @@ fs::path resolve_path(const std::string& text, const Location& where, const Read
   }
   std::error_code failed;
   if (fs::is_regular_file(file, failed)) return file;
+  if (const std::string remedy = remedy_of_windows(text, rules.directory); !remedy.empty()) {
+    diagnostics.error(where, "\"" + text + "\" is a path of Windows", remedy);
+    return {};
+  }
   const std::string near = nearest(file.filename().string(), names_beside(file));
   diagnostics.error(where, "there is no file \"" + text + "\" in the case directory",
                     near.empty() ? "put the file there or correct its name"

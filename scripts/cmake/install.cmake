@@ -9,6 +9,19 @@ install(DIRECTORY cases/ DESTINATION ${data_folder}/cases COMPONENT program
         REGEX "/cases/input$" EXCLUDE PATTERN "out" EXCLUDE PATTERN "out.*" EXCLUDE PATTERN "study" EXCLUDE)
 install(FILES scripts/picture.py scripts/film.py DESTINATION ${data_folder}/scripts COMPONENT program)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+# The manual and the completions of shells come from the program itself, when it is installed.
+set(manual_folder ${PROJECT_BINARY_DIR}/manual)
+file(MAKE_DIRECTORY ${manual_folder})
+install(CODE "foreach(page \"man;snug.1\" \"completion bash;snug\" \"completion zsh;_snug\" \"completion fish;snug.fish\")
+  list(GET page 0 words)
+  list(GET page 1 name)
+  separate_arguments(words)
+  execute_process(COMMAND \"$<TARGET_FILE:snug>\" \${words} OUTPUT_FILE \"${manual_folder}/\${name}\" COMMAND_ERROR_IS_FATAL ANY)
+endforeach()" COMPONENT program)
+install(FILES ${manual_folder}/snug.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES ${manual_folder}/snug DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+install(FILES ${manual_folder}/_snug DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
+install(FILES ${manual_folder}/snug.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
 # <snug/snug.hpp> and the headers that it reaches, with their paths, below include/snug. That folder is in the path of the

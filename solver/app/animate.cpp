@@ -40,7 +40,7 @@ class Animate : public Command {
     if (mp4_) films.push_back("animation.mp4");
     check_may_add(out_, {films.begin(), films.end()});
     const postproc::animation::Film film = postproc::animation::make_film(out_, folder, settings_);
-    fmt::print("{}: {} frames from {} states, {:.3g} mm at most between two\n", folder.string(), film.frames, film.keys,
+    console().print("{}: {} frames from {} states, {:.3g} mm at most between two\n", folder.string(), film.frames, film.keys,
                1e3 * film.widest);
     ResultList written(films.begin(), films.end());
     for (const std::string& file : files_below(folder)) written.insert("animation/" + file);
@@ -70,7 +70,7 @@ class Animate : public Command {
     if (outcome.status != 0)
       throw input::InputError({films.front(), 0, 0}, fmt::format("the film cannot be drawn: {}", why),
                               "install what draws it: python3-vtk9, xvfb, xauth, ffmpeg (scripts/setup --pictures)");
-    for (const std::string& film : films) fmt::print("{}\n", film);
+    for (const std::string& film : films) console().print("{}\n", film);
   }
 
   std::string out_, step_;

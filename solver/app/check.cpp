@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/print_plan.hpp"
 
@@ -24,13 +25,18 @@ class Check : public Command {
   int execute() override {
     int status = done;
     for (const std::string& directory : directories_) {
+      Json& told = console().document()["cases"].emplace_back(Json{{"directory", directory}, {"right", false}});
       try {
         const PreparedCase prepared = prepare(directory, options_);
         const solver::Plan plan = solver::plan(prepared);
-        for (const input::Diagnostic& warning : prepared.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
-        fmt::print("{}\n{}\n", plan_text(prepared.description.title, plan), quality_text(prepared));
+        for (const input::Diagnostic& warning : prepared.warnings) console().warn(warning);
+        console().print("{}\n{}\n", plan_text(prepared.description.title, plan), quality_text(prepared));
+        told["right"] = true;
+        told["title"] = prepared.description.title;
+        told["plan"] = plan_json(plan);
+        add_meshes(told, prepared);
       } catch (const input::InputError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        console().error(error);
         status = input_wrong;
       }
     }

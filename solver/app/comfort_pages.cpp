@@ -8,6 +8,7 @@
 #include "postproc/comfort/comfort.hpp"
 #include "postproc/comfort/curve_library.hpp"
 #include "postproc/comfort/pressure_table.hpp"
+#include "postproc/documents.hpp"
 #include "postproc/units.hpp"
 
 namespace snug::app {
@@ -80,6 +81,17 @@ std::string curves_text() {
   text += "fuzzy systems\n";
   for (const std::string& name : postproc::fuzzy_names()) text += fmt::format("  \"{}\"\n", name);
   return text;
+}
+
+postproc::Json curves_json() {
+  postproc::Json sets = postproc::Json::array();
+  for (const postproc::SensationCurves& set : postproc::shipped_curves()) {
+    postproc::Json curves = postproc::Json::array(), ranges = postproc::Json::array();
+    for (const auto& curve : set.curves) curves.push_back({{"location", curve.location}, {"from_Pa", curve.low}, {"to_Pa", curve.high}});
+    for (const auto& band : set.bands) ranges.push_back({{"location", band.location}, {"name", band.name}, {"from_Pa", band.low}, {"to_Pa", std::isinf(band.high) ? postproc::Json() : postproc::Json(band.high)}});
+    sets.push_back({{"name", set.name}, {"source", set.source}, {"patch", set.patch}, {"population", set.population}, {"curves", curves}, {"thresholds", ranges}});
+  }
+  return {{"sets", sets}, {"fuzzy_systems", postproc::fuzzy_names()}};
 }
 
 std::string curves_page(const std::string& name) {

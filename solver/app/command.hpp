@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/app/console.hpp"
+
 namespace CLI {
 class App;
 }
@@ -30,6 +32,32 @@ class Command {
   virtual void declare(CLI::App& app) = 0;
   /// Returns the exit status. Throws input::InputError for wrong input.
   virtual int execute() = 0;
+  /// Where it says what it has found; before it executes.
+  virtual void speak_to(Console& console) { console_ = &console; }
+
+ protected:
+  Console& console() const { return *console_; }
+
+ private:
+  Console* console_ = nullptr;  ///< of the program
+};
+
+/// Commands below one name, "snug project list": the one that was asked for executes.
+class CommandGroup : public Command {
+ public:
+  CommandGroup(std::string name, std::string summary, std::string footer) : name_(std::move(name)), summary_(std::move(summary)), footer_(std::move(footer)) {}
+  std::string name() const override { return name_; }
+  std::string summary() const override { return summary_; }
+  void declare(CLI::App& app) override;
+  int execute() override;
+  void speak_to(Console& console) override;
+
+ protected:
+  std::vector<std::unique_ptr<Command>> commands_;
+
+ private:
+  std::string name_, summary_, footer_;
+  std::vector<CLI::App*> parsers_;  ///< owned by the program's parser
 };
 
 /// Every command, in the order of the help.
@@ -51,5 +79,7 @@ std::unique_ptr<Command> make_materials();
 std::unique_ptr<Command> make_new();
 std::unique_ptr<Command> make_explain();
 std::unique_ptr<Command> make_list();
+std::unique_ptr<Command> make_completion();
+std::unique_ptr<Command> make_manual();
 
 }  // namespace snug::app

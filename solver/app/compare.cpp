@@ -8,6 +8,7 @@
 #include "postproc/comparison.hpp"
 #include "postproc/field_cells.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 
 namespace snug::app {
 
@@ -72,7 +73,8 @@ class Compare : public Command {
                                           .nodes = reference_nodes_});
     const postproc::Comparison comparison = postproc::compare(result, reference, options());
     write_difference(comparison);
-    fmt::print("{}", postproc::comparison_text(comparison, all_ ? postproc::Detail::all : postproc::Detail::outside));
+    console().say(postproc::comparison_text(comparison, all_ ? postproc::Detail::all : postproc::Detail::outside));
+    console().document() = comparison_json(comparison);
     return comparison.within() ? done : outside_tolerance;
   }
 

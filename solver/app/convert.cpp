@@ -7,6 +7,7 @@
 
 #include "materials/laws/solid_law.hpp"
 #include "mesh/body/to_model.hpp"
+#include "postproc/documents.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/write_named.hpp"
 #include "solver/app/convert_curves.hpp"
@@ -25,7 +26,7 @@ namespace {
 /// Laws that both programs know. Their volumetric energy is kappa/2 (J - 1)^2.
 class LawOf {
  public:
-  explicit LawOf(const mesh::Layer& layer) : layer_(layer) {}
+  LawOf(const mesh::Layer& layer, Console& console) : layer_(layer), console_(console) {}
 
   mesh::ModelMaterial operator()() {
     const materials::Tissue tissue = materials::find_tissue(layer_.material);
@@ -40,10 +41,9 @@ class LawOf {
   void volume(const materials::Volumetric& volume, Material& to) const {
     to.constants.push_back(volume.bulk_modulus);
     if (volume.form != materials::VolumetricForm::quadratic)
-      fmt::print(stderr,
-                 "note: layer \"{}\" is written with the volumetric energy kappa/2 (J - 1)^2 in place of its own, with the "
-                 "same kappa: neither program has it. volumetric = \"quadratic\" makes both sides the same\n",
-                 layer_.name);
+      console_.note(fmt::format("note: layer \"{}\" is written with the volumetric energy kappa/2 (J - 1)^2 in place of its own, with the same kappa: neither program has it. "
+                                "volumetric = \"quadratic\" makes both sides the same",
+                                layer_.name));
   }
   void set(const materials::LinearElastic& law, Material& to) const {
     to.law = mesh::ModelLaw::elastic, to.constants = {law.youngs_modulus, law.poisson_ratio};
@@ -72,6 +72,7 @@ class LawOf {
   }
 
   const mesh::Layer& layer_;
+  Console& console_;
 };
 
 void refuse_what_is_lost(const input::Case& description, const mesh::BodyMesh& body, bool calculix) {
@@ -129,6 +130,7 @@ class Convert : public Command {
   }
 
   int execute() override {
+    console().document()["file"] = file_;
     if (is_curve_file(directory_)) {
       convert_curves(directory_, file_, subdivisions_);
       return done;
@@ -144,7 +146,7 @@ class Convert : public Command {
     const mesh::BodyMesh& body = prepared.meshes.body;
     refuse_what_is_lost(prepared.description, body, ending == ".inp");
     std::vector<mesh::ModelMaterial> materials;
-    for (const mesh::Layer& layer : body.layers) materials.push_back(LawOf(layer)());
+    for (const mesh::Layer& layer : body.layers) materials.push_back(LawOf(layer, console())());
     const mesh::Model model = model_of(body, materials, loads_of(prepared.description, body));
     std::ostringstream out;
     ending == ".inp" ? write_calculix(out, model) : write_cdb(out, model);

@@ -6,6 +6,7 @@
 #include "cases/input/files.hpp"
 #include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/size/cut.hpp"
 
 namespace snug::app {
@@ -31,10 +32,12 @@ class Design : public Command {
     const Cleaner cleaner;
     designed_garment(options_.read(directory_));
     CourseCut cut;
-    const FoundCut found = search_cut(directory_, options_, cut, rounds_, 0.01 * within_, cleaner);
+    const FoundCut found = search_cut(directory_, options_, cut, rounds_, 0.01 * within_, cleaner, console());
     if (found.settings.empty()) return found.status;
     const std::string lines = fmt::format("# snug design {}: within {:.1f} % of the pressures\ncircumferences = {}\n", directory_, 100.0 * found.error, found.settings.front().literal);
-    if (out_.empty()) fmt::print("\n{}", lines);
+    console().document()["circumferences_toml"] = found.settings.front().literal;
+    console().document()["error"] = found.error;
+    if (out_.empty()) console().say_as_it_is("\n" + lines);
     else input::write_file(out_, lines);
     if (found.status != done) return found.status;
     return found.error <= 0.01 * within_ ? done : outside_tolerance;

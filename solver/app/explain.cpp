@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <sstream>
 
 #include "cases/input/key_list.hpp"
 #include "cases/input/suggestion.hpp"
 #include "solver/app/comfort_pages.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/material_list.hpp"
 #include "solver/app/shipped_cases.hpp"
 
@@ -43,31 +43,13 @@ bool inside(const std::string& key, const std::string& asked) {
   return full.find(wanted) != std::string::npos;
 }
 
-/// Words of `text` in lines of at most `width` characters; all lines but the first are indented.
-std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
-  std::istringstream words(text);
-  std::string result;
-  std::size_t column = 0;
-  for (std::string word; words >> word; column += word.size()) {
-    if (column > 0 && column + 1 + word.size() > width) {
-      result += "\n" + std::string(indent, ' ');
-      column = 0;
-    } else if (column > 0) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-  }
-  return result;
-}
-
 /// One row of a list: the key, its meaning and what may be written.
 std::string row_text(const input::KeyRow& row) {
   std::string facts = row.kind + (row.field.unit.empty() ? "" : ", " + row.field.unit);
   if (row.field.required) facts += ", required";
   if (!row.field.choices.empty()) facts += ": " + input::joined(row.field.choices);
   if (!row.default_value.empty()) facts += "; default " + row.default_value;
-  return fmt::format("  {:<36} {}\n", row.key, wrapped(row.field.meaning + " (" + facts + ")", 80, 39));
+  return fmt::format("  {:<36} {}\n", row.key, row.field.meaning + " (" + facts + ")");
 }
 
 class Explain : public Command {
@@ -85,11 +67,14 @@ class Explain : public Command {
   int execute() override {
     std::string text = law_page_text(key_) + curves_page(key_), keys;
     std::vector<std::string> known = law_names();
+    Json rows = Json::array();
+    const std::string page = text;
     if (!text.empty() && key_.starts_with("law.")) key_.erase(0, 4);
     for (const input::KeyRow& row : all_keys()) {
       known.push_back(last_part(row.key));
       if (matches(row.key, key_)) text += explanation(row);
       if (inside(row.key, key_)) keys += row_text(row);
+      if (matches(row.key, key_) || inside(row.key, key_)) rows.push_back(key_json(row));
     }
     if (!keys.empty()) text += "keys of it\n" + keys;
     if (text.empty()) {
@@ -97,18 +82,14 @@ class Explain : public Command {
       throw input::InputError({"snug explain", 0, 0}, "there is no key " + key_,
                               (near.empty() ? "" : "did you mean " + near + "? ") + "snug list shows all of them");
     }
-    fmt::print("{}", text);
+    console().say(text);
+    console().document() = {{"asked", key_}, {"keys", rows}, {"page", page.empty() ? Json() : Json(page)}};
     return done;
   }
 
  private:
   std::string key_;
 };
-
-void print_rows(const std::string& head, const std::vector<input::KeyRow>& rows) {
-  fmt::print("{}\n", head);
-  for (const input::KeyRow& row : rows) fmt::print("{}", row_text(row));
-}
 
 class List : public Command {
  public:
@@ -120,22 +101,35 @@ class List : public Command {
   }
 
   int execute() override {
+    Json& document = console().document();
+    document["curves"] = curves_json();
     if (topic_ == "curves") {
-      fmt::print("{}", curves_text());
+      console().say(curves_text());
       return done;
     }
-    print_rows("keys of case.toml", input::case_keys());
-    fmt::print("\nlaws of solids (snug explain law.NAME)\n  {}\n", input::joined(law_names()));
-    print_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_keys());
-    fmt::print("\nshipped materials\n{}", materials_text());
-    fmt::print("\nsensation curves and thresholds (snug explain \"NAME\"), or a TOML or CSV file of the case\n{}",
-               curves_text());
-    fmt::print("\nshipped cases (snug new NAME --like CASE)\n");
-    for (const std::string& name : shipped_cases()) fmt::print("  {}\n", name);
+    document["keys"] = list_rows("keys of case.toml", input::case_keys());
+    document["laws"] = law_names(), document["cases"] = shipped_cases();
+    console().print("\nlaws of solids (snug explain law.NAME)\n  {}\n", input::joined(law_names()));
+    document["keys_of_laws"] = list_rows("\nkeys of an inline material, { law = \"LAW\", ... }", law_keys());
+    console().print("\nshipped materials\n{}", materials_text());
+    document["materials"] = materials_json();
+    console().print("\nsensation curves and thresholds (snug explain \"NAME\"), or a TOML or CSV file of the case\n{}", curves_text());
+    console().print("\nshipped cases (snug new NAME --like CASE)\n");
+    for (const std::string& name : shipped_cases()) console().print("  {}\n", name);
     return done;
   }
 
  private:
+  Json list_rows(const std::string& head, const std::vector<input::KeyRow>& rows) const {
+    Json json = Json::array();
+    console().print("{}\n", head);
+    for (const input::KeyRow& row : rows) {
+      console().say(row_text(row));
+      json.push_back(key_json(row));
+    }
+    return json;
+  }
+
   std::string topic_;
 };
 

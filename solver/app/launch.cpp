@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string status_option = "--rank-status=";
+const std::string status_option = "--rank-status=", terminal_option = "--rank-terminal=";
 
 std::vector<std::string> words_of_process() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
@@ -42,7 +42,7 @@ std::vector<std::string> words_of_process() {
 
 // More ranks than cores are the user's choice; a container's only user is often root, which Open MPI has to be told. Its
 // folders and the segments of shared memory, which a killed rank leaves behind, go where they can be removed.
-std::vector<std::string> mpirun_line(int ranks, const fs::path& scratch, const fs::path& shared, const fs::path& status) {
+std::vector<std::string> mpirun_line(int ranks, const fs::path& scratch, const fs::path& shared, const fs::path& status, const Console& console) {
   std::vector<std::string> line = {"mpirun", "-q", "-n", std::to_string(ranks), "--oversubscribe", "--bind-to", "none",
                                    "--mca", "orte_tmpdir_base", scratch.string(), "--mca", "btl_vader_backing_directory", shared.string()};
   if (::geteuid() == 0) line.push_back("--allow-run-as-root");
@@ -50,6 +50,8 @@ std::vector<std::string> mpirun_line(int ranks, const fs::path& scratch, const f
   const auto own = own_arguments();
   line.insert(line.end(), own.begin() + 1, own.end());
   line.push_back(status_option + status.string());
+  // mpirun gives every rank a terminal of its own, wherever this process writes to.
+  line.push_back(fmt::format("{}{},{}", terminal_option, console.width(), console.error_width()));
   return line;
 }
 
@@ -89,7 +91,7 @@ int written_status(const fs::path& file) {
 
 std::vector<std::string> own_arguments() {
   std::vector<std::string> words = words_of_process();
-  std::erase_if(words, [](const std::string& word) { return word.starts_with(status_option); });
+  std::erase_if(words, [](const std::string& word) { return word.starts_with(status_option) || word.starts_with(terminal_option); });
   return words;
 }
 
@@ -101,13 +103,13 @@ bool mpirun_is_there() {
   return false;
 }
 
-int launch_ranks(int ranks, const Cleaner& cleaner) {
+int launch_ranks(int ranks, const Cleaner& cleaner, Console& console) {
   const StopSignals signals(false);
   const Scratch scratch(temporary_place(), cleaner);
   const bool has_shared = ::access("/dev/shm", W_OK) == 0;
   const auto shared = has_shared ? std::make_unique<Scratch>("/dev/shm", cleaner) : nullptr;
   const fs::path status = scratch.path() / "status";
-  const auto line = mpirun_line(ranks, scratch.path(), shared ? shared->path() : scratch.path(), status);
+  const auto line = mpirun_line(ranks, scratch.path(), shared ? shared->path() : scratch.path(), status, console);
   std::vector<char*> arguments;
   for (const std::string& word : line) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -116,16 +118,16 @@ int launch_ranks(int ranks, const Cleaner& cleaner) {
   if (child < 0) throw std::runtime_error("no child process can be started");
   const int state = wait_and_pass_on(child);
   const int written = written_status(status);
-  if (written >= 0) return written;
+  if (written >= 0) return console.leave_to_another(), written;  // rank 0 has answered
   if (WIFEXITED(state) && WEXITSTATUS(state) == no_mpirun)
     throw input::InputError({"--ranks", 0, 0}, "mpirun is not there",
                             "install openmpi-bin (scripts/setup does), or leave --ranks out");
   if (const int signal = StopSignals::received(); signal != 0) {
-    fmt::print(stderr, "snug: error: stopped by you ({}) before the ranks had begun; nothing is written\n", StopSignals::name(signal));
+    console.error(fmt::format("snug: error: stopped by you ({}) before the ranks had begun; nothing is written", StopSignals::name(signal)));
     return 128 + signal;
   }
-  fmt::print(stderr, "snug: error: the ranks ended before they were done (mpirun {} {}); see what is said above, or leave --ranks out\n",
-             WIFEXITED(state) ? "gave status" : "was ended by signal", WIFEXITED(state) ? WEXITSTATUS(state) : WTERMSIG(state));
+  console.error(fmt::format("snug: error: the ranks ended before they were done (mpirun {} {}); see what is said above, or leave --ranks out",
+                            WIFEXITED(state) ? "gave status" : "was ended by signal", WIFEXITED(state) ? WEXITSTATUS(state) : WTERMSIG(state)));
   return internal_fault;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/app/cleaner.hpp"
+#include "solver/app/console.hpp"
 
 namespace snug::app {
 
@@ -18,7 +19,7 @@ bool mpirun_is_there();
 /// (report_status). The first SIGINT, SIGTERM or SIGHUP goes to the ranks, which end in good order; the second kills them.
 /// They end with this process whatever ends it, and what they had in temporary folders and in shared memory is removed.
 /// Throws input::InputError when there is no mpirun.
-int launch_ranks(int ranks, const Cleaner& cleaner);
+int launch_ranks(int ranks, const Cleaner& cleaner, Console& console);
 
 /// In a rank: from here on the process ends when mpirun does, however that ends.
 void end_with_parent();

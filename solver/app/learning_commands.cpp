@@ -9,6 +9,7 @@
 
 #include "materials/database/items.hpp"
 #include "materials/learning/standard_scale.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/project_text.hpp"
 #include "solver/app/run_table.hpp"
@@ -91,7 +92,8 @@ class Near : public LibraryCommand {
       if (rows.size() > static_cast<std::size_t>(most_) + 1) break;
       add(entities[static_cast<std::size_t>(one.row)], fmt::format("{:.3f}", one.distance), std::to_string(one.shared));
     }
-    fmt::print("{}", aligned(rows));
+    console().say(aligned(rows));
+    console().document()["entities"] = rows_json(rows);
     return done;
   }
   static std::vector<std::string> own_items(const Entity& asked, const std::vector<Entity>& entities) {
@@ -124,7 +126,7 @@ class Groups : public LibraryCommand {
     const auto lacks = [&](const Entity& one) { return std::any_of(items.begin(), items.end(), [&](const std::string& item) { return std::isnan(number_of(one, item)); }); };
     const auto left_out = std::erase_if(entities, lacks);
     const materials::Clusters found = clusters_of(entities, items);
-    fmt::print("{} {}s in {} groups by {}; {:.1f} % of the variance is between them{}\n", entities.size(), kind_, found.centres.rows(), input::joined(items), 100.0 * found.share_between,
+    console().print("{} {}s in {} groups by {}; {:.1f} % of the variance is between them{}\n", entities.size(), kind_, found.centres.rows(), input::joined(items), 100.0 * found.share_between,
                left_out ? fmt::format("; {} without one of the numbers left out", left_out) : "");
     std::vector<std::vector<std::string>> rows{{"group", "id"}};
     for (const std::string& item : items) rows.front().push_back(item);
@@ -134,7 +136,8 @@ class Groups : public LibraryCommand {
         rows.push_back({std::to_string(k + 1), entities[r].id});
         for (const std::string& item : items) rows.back().push_back(printed(entities[r], item));
       }
-    fmt::print("{}", aligned(rows));
+    console().say(aligned(rows));
+    console().document() = {{"share_of_variance_between", found.share_between}, {"entities", rows_json(rows)}};
     return done;
   }
   materials::Clusters clusters_of(const std::vector<Entity>& entities, const std::vector<std::string>& items) const {
@@ -170,10 +173,10 @@ class Regress : public LibraryCommand {
     const Eigen::VectorXd response = table.response / factor;
     const materials::ResponseSurface fit = fitted(table, response, degree);
     const std::string of = table.unit == "Pa" ? " " + unit.name : "";
-    fmt::print("{} of {} runs{}\n", result_, table.response.size(), table.left_out.empty() ? "" : "; left out: " + table.left_out);
-    fmt::print("  {}, {} coefficients: R2 {:.4f}, rms {:.3g}{}\n", quadratic_ ? "quadratic" : "linear", fit.coefficients.size(), fit.r_squared, fit.rms, of);
-    if (std::isnan(fit.cross_validated_rms)) fmt::print("  cross-validated: not known, one of the runs alone decides about a coefficient\n");
-    else fmt::print("  cross-validated (each run told by the others): rms {:.3g}{}, Q2 {:.4f}{}\n", fit.cross_validated_rms, of, fit.q_squared, fit.q_squared < 0.5 ? ": it tells little about a new run" : "");
+    console().print("{} of {} runs{}\n", result_, table.response.size(), table.left_out.empty() ? "" : "; left out: " + table.left_out);
+    console().print("  {}, {} coefficients: R2 {:.4f}, rms {:.3g}{}\n", quadratic_ ? "quadratic" : "linear", fit.coefficients.size(), fit.r_squared, fit.rms, of);
+    if (std::isnan(fit.cross_validated_rms)) console().print("  cross-validated: not known, one of the runs alone decides about a coefficient\n");
+    else console().print("  cross-validated (each run told by the others): rms {:.3g}{}, Q2 {:.4f}{}\n", fit.cross_validated_rms, of, fit.q_squared, fit.q_squared < 0.5 ? ": it tells little about a new run" : "");
     const double middle = fit.at(fit.mean);
     const Eigen::VectorXd slope = fit.gradient(fit.mean);
     std::vector<std::vector<std::string>> rows{{"setting", "mean", "from", "to", "change per unit", "per deviation", "% per %"}};
@@ -183,8 +186,22 @@ class Regress : public LibraryCommand {
       rows.push_back({column.key + (column.unit.empty() ? "" : " [" + column.unit + "]"), fmt::format("{:.4g}", fit.mean[c]), fmt::format("{:.4g}", values.minCoeff()), fmt::format("{:.4g}", values.maxCoeff()),
                       fmt::format("{:.4g}", slope[c]), fmt::format("{:+.3g}", slope[c] * fit.deviation[c]), fmt::format("{:+.2f}", slope[c] * fit.mean[c] / middle)});
     }
-    fmt::print("  sensitivities at the mean of the runs, where it is {:.4g}{}\n{}", middle, of, aligned(rows));
+    console().print("  sensitivities at the mean of the runs, where it is {:.4g}{}\n{}", middle, of, aligned(rows));
+    console().document() = document(table, fit, degree);
     return done;
+  }
+  /// In SI, whatever --unit says.
+  Json document(const RunTable& table, const materials::ResponseSurface& shown, materials::Degree degree) const {
+    const materials::ResponseSurface fit = fitted(table, table.response, degree);
+    const Eigen::VectorXd slope = fit.gradient(fit.mean);
+    Json settings = Json::array();
+    for (Index c = 0; c < slope.size(); ++c) {
+      const RunColumn& column = table.columns[static_cast<std::size_t>(c)];
+      const Eigen::VectorXd values = table.properties.col(c);
+      settings.push_back({{"setting", column.key}, {"unit", column.unit}, {"mean", fit.mean[c]}, {"from", values.minCoeff()}, {"to", values.maxCoeff()}, {"change_per_unit", slope[c]}, {"deviation", fit.deviation[c]}});
+    }
+    return {{"result", result_}, {"unit", table.unit}, {"runs", table.response.size()}, {"left_out", table.left_out}, {"r_squared", shown.r_squared}, {"rms", fit.rms},
+            {"cross_validated_rms", fit.cross_validated_rms}, {"q_squared", shown.q_squared}, {"at_the_mean", fit.at(fit.mean)}, {"settings", settings}};
   }
   materials::ResponseSurface fitted(const RunTable& table, const Eigen::VectorXd& response, materials::Degree degree) const {
     try {

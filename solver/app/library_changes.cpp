@@ -36,9 +36,8 @@ std::vector<Datum> data_of(const std::vector<std::string>& words, const std::str
 }
 
 /// Says what does not go together; it is kept all the same.
-void tell_doubts(const Entity& entity) {
-  for (const std::string& doubt : materials::doubts_of(entity))
-    fmt::print(stderr, "warning: {}: {}\n", entity.id, doubt);
+void tell_doubts(const Entity& entity, Console& console) {
+  for (const std::string& doubt : materials::doubts_of(entity)) console.warn(fmt::format("warning: {}: {}", entity.id, doubt));
 }
 
 class Add : public LibraryCommand {
@@ -70,7 +69,7 @@ class Add : public LibraryCommand {
       for (const auto& file : files) stroke.keep(file);
       stroke.put(std::move(entity), "added");
     });
-    tell_doubts(library.entity(id_));
+    tell_doubts(library.entity(id_), console());
     return done;
   }
   std::string kind_, id_, parent_;
@@ -128,7 +127,7 @@ class Edit : public LibraryCommand {
       for (const auto& file : files) stroke.keep(file);
       stroke.put(std::move(entity), "edited");
     });
-    tell_doubts(library.entity(id_));
+    tell_doubts(library.entity(id_), console());
     return done;
   }
   static void take_away(Entity& entity, const std::string& item) {
@@ -172,7 +171,7 @@ class Undo : public LibraryCommand {
 
  private:
   int act(Library& library) override {
-    fmt::print("{}\n", library.undo(of_anybody_));
+    console().print("{}\n", library.undo(of_anybody_));
     return done;
   }
   bool of_anybody_ = false;
@@ -200,8 +199,8 @@ class Import : public LibraryCommand {
         stroke.put(entity, "imported");
       }
     });
-    for (const Entity& entity : entries.entities) tell_doubts(entity);
-    fmt::print("{} entities\n", entries.entities.size());
+    for (const Entity& entity : entries.entities) tell_doubts(entity, console());
+    console().print("{} entities\n", entries.entities.size());
     return done;
   }
   /// A copy of what ships may stand in a file, another version of it may not.
@@ -240,7 +239,7 @@ class Export : public LibraryCommand {
       entities.push_back(library.entity(id));
     if (own_) std::erase_if(entities, [](const Entity& entity) { return entity.shipped; });
     materials::write_entries(entities, library, file_);
-    fmt::print("{} entities\n", entities.size());
+    console().print("{} entities\n", entities.size());
     return done;
   }
   std::string file_, question_;

@@ -7,6 +7,7 @@
 #include "materials/database/evaluation.hpp"
 #include "materials/database/items.hpp"
 #include "materials/database/named.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/learning_commands.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/library_file.hpp"
@@ -27,9 +28,7 @@ bool has_library() {
 
 std::string si_text(const Datum& datum, materials::UnitBook& units) {
   if (!datum.si) return {};
-  const materials::Item* item = materials::usual_item(datum.name.substr(datum.name.rfind('.') + 1));
-  const auto unit = units.find(datum.unit);
-  const std::string name = item && std::string(item->unit) != "text" ? item->unit : unit ? unit->name : "";
+  const std::string name = si_unit(datum, units);
   return fmt::format("{:.10g}{}{}", *datum.si, name.empty() ? "" : " ", name);
 }
 
@@ -83,8 +82,10 @@ class Find : public LibraryCommand {
  private:
   int act(Library& library) override {
     const auto found = library.find_where(question_, kind_.empty() ? std::nullopt : std::optional(kind_of(kind_)));
-    if (!items_.empty()) fmt::print("id,{}\n", fmt::join(items_, ","));
+    if (!items_.empty()) console().say_as_it_is(fmt::format("id,{}\n", fmt::join(items_, ",")));
+    Json& rows = console().document()["entities"] = Json::array();
     for (const std::string& id : found) {
+      if (console().json()) rows.push_back(asked_of(library.entity(id), library.units()));
       std::string line = id;
       const Entity entity = items_.empty() ? Entity{} : library.entity(id);
       for (const std::string& item : items_) {
@@ -92,10 +93,15 @@ class Find : public LibraryCommand {
         const std::string text = datum ? printed_text(*datum) : "";
         line += text.find(',') == text.npos ? fmt::format(",{}", text) : fmt::format(",\"{}\"", text);
       }
-      fmt::print("{}\n", line);
+      console().say_as_it_is(line + "\n");
     }
-    if (found.empty()) fmt::print(stderr, "nothing of the library fits\n");
+    if (found.empty()) console().note("nothing of the library fits");
     return done;
+  }
+  /// With the items asked for; with all where none are.
+  Json asked_of(Entity entity, materials::UnitBook& units) const {
+    if (!items_.empty()) std::erase_if(entity.data, [&](const Datum& datum) { return std::find(items_.begin(), items_.end(), datum.name) == items_.end(); });
+    return entity_json(entity, units);
   }
   std::string question_, kind_;
   std::vector<std::string> items_;
@@ -127,7 +133,8 @@ class Evaluate : public LibraryCommand {
     const std::string si = as_si.type == DatumType::table ? fmt::format("{:.10g} {}", result.si, result.si_unit)
                                                           : si_text(as_si, library.units());
     const std::string own = fmt::format("{:.10g}{}{}", result.in_unit, as_si.unit.empty() ? "" : " ", as_si.unit);
-    fmt::print("{}\n", as_si.type == DatumType::table || own == si ? si : own + " = " + si);
+    console().print("{}\n", as_si.type == DatumType::table || own == si ? si : own + " = " + si);
+    console().document() = {{"id", id_}, {"item", item_}, {"value_SI", result.si}, {"unit_SI", as_si.type == DatumType::table ? result.si_unit : si_unit(as_si, library.units())}};
     return done;
   }
   std::string id_, item_;
@@ -139,10 +146,13 @@ class Items : public LibraryCommand {
   Items() : LibraryCommand("items", "the usual items with symbol, unit and meaning; others are added by using them") {}
   void declare(CLI::App& app) override { declare_kind(app, "KIND", kind_); }
   int execute() override {  // asks no library
-    for (const materials::Item& item : materials::usual_items())
-      if (kind_.empty() || text_of(item.kind) == kind_)
-        fmt::print("  {:<8} {:<14} {:<32} {:<6} {:<10} {}\n", text_of(item.kind), text_of(item.block), item.name,
-                   item.symbol, std::string(item.unit).empty() ? "1" : item.unit, item.meaning);
+    Json& rows = console().document()["items"] = Json::array();
+    for (const materials::Item& item : materials::usual_items()) {
+      if (!kind_.empty() && text_of(item.kind) != kind_) continue;
+      const std::string unit = std::string(item.unit).empty() ? "1" : item.unit;
+      console().print("  {:<8} {:<14} {:<32} {:<6} {:<10} {}\n", text_of(item.kind), text_of(item.block), item.name, item.symbol, unit, item.meaning);
+      rows.push_back({{"kind", text_of(item.kind)}, {"block", text_of(item.block)}, {"item", item.name}, {"symbol", item.symbol}, {"unit_SI", unit}, {"meaning", item.meaning}});
+    }
     return done;
   }
 
@@ -161,8 +171,11 @@ class History : public LibraryCommand {
 
  private:
   int act(Library& library) override {
-    for (const materials::Change& one : library.history(id_, most_))
-      fmt::print("{:>6}  {}  {:<12} {:<24} {}\n", one.stroke, one.moment, one.who, one.entity, one.action);
+    Json& rows = console().document()["changes"] = Json::array();
+    for (const materials::Change& one : library.history(id_, most_)) {
+      console().print("{:>6}  {}  {:<12} {:<24} {}\n", one.stroke, one.moment, one.who, one.entity, one.action);
+      rows.push_back({{"change", one.stroke}, {"moment", one.moment}, {"by", one.who}, {"id", one.entity}, {"action", one.action}});
+    }
     return done;
   }
   std::string id_;
@@ -179,14 +192,21 @@ class CheckLibrary : public LibraryCommand {
   int act(Library& library) override {
     library.check_file();
     const auto differences = library.differences(materials::shipped_entries(library.units()));
-    for (const std::string& line : differences) fmt::print("{}\n", line);
-    fmt::print("{}: {} entities, {}\n", library_file().string(), library.count(),
+    console().document() = {{"file", library_file().string()}, {"entities", library.count()}, {"differences", differences}};
+    for (const std::string& line : differences) console().print("{}\n", line);
+    console().print("{}: {} entities, {}\n", library_file().string(), library.count(),
                differences.empty() ? "sound, as the texts have it" : "sound, but not as the texts have it");
     return differences.empty() ? done : outside_tolerance;
   }
 };
 
 }  // namespace
+
+std::string si_unit(const Datum& datum, materials::UnitBook& units) {
+  const materials::Item* item = materials::usual_item(datum.name.substr(datum.name.rfind('.') + 1));
+  const auto unit = units.find(datum.unit);
+  return item && std::string(item->unit) != "text" ? item->unit : unit ? unit->name : "";
+}
 
 std::pair<std::string, std::string> item_and_value(const std::string& word, const std::string& command) {
   const auto sign = word.find('=');
@@ -214,6 +234,18 @@ materials::Library open_library() {
     throw input::InputError({"snug materials", 0, 0}, "there is no home folder to keep the library in",
                             "name its file in SNUG_LIBRARY");
   return Library(materials::library_settings(file, user_name()));
+}
+
+Json known_data_json(const std::string& id) {
+  if (has_library()) {
+    const Library library = open_library();
+    const auto entity = library.find(id);
+    return entity ? entity_json(*entity, library.units()) : Json();
+  }
+  materials::UnitBook units;
+  for (const Entity& entity : materials::shipped_entries(units).entities)
+    if (entity.id == id) return entity_json(entity, units);
+  return {};
 }
 
 std::string known_data_text(const std::string& id) {

@@ -20,6 +20,11 @@ materials::Library open_library();
 /// Everything that is known of an entity, a line a datum: as printed, in SI, source. Of the library when it is there
 /// (it is not made), else of what ships. Empty when nobody knows it.
 std::string known_data_text(const std::string& id);
+/// The same for --json; null when nobody knows it.
+nlohmann::ordered_json known_data_json(const std::string& id);
+
+/// The unit that the SI value of a datum has; empty for plain numbers and texts.
+std::string si_unit(const materials::Datum& datum, materials::UnitBook& units);
 
 /// IDs of own entities of a kind, with a law or without; none when there is no library.
 std::vector<std::string> own_entities(materials::Kind kind);

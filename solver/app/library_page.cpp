@@ -86,24 +86,16 @@ class LibraryPage : public LibraryCommand {
                           {"data", data_json(entity, library.units())}, {"curves", curves_json(entity, library.units())}});
     }
     write_page(postproc::report::library_page(question_.empty() ? "The library" : question_, fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))), {{"entities", entities}}), file_);
-    fmt::print("{}: {} entities\n", file_, entities.size());
+    console().print("{}: {} entities\n", file_, entities.size());
+    console().document() = {{"file", file_}, {"entities", entities.size()}};
     return done;
   }
   std::string question_, file_ = "library.html";
 };
 
-class LibraryPages : public Command {
+class LibraryPages : public CommandGroup {
  public:
-  std::string name() const override { return "library"; }
-  std::string summary() const override { return "the library as a page to browse (snug materials asks and changes it)"; }
-  void declare(CLI::App& app) override {
-    app.require_subcommand(1);
-    page_.declare(*app.add_subcommand(page_.name(), page_.summary()));
-  }
-  int execute() override { return page_.execute(); }
-
- private:
-  LibraryPage page_;
+  LibraryPages() : CommandGroup("library", "the library as a page to browse (snug materials asks and changes it)", "") { commands_.push_back(std::make_unique<LibraryPage>()); }
 };
 
 }  // namespace

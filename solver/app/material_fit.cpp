@@ -13,6 +13,7 @@
 #include "materials/database/datum.hpp"
 #include "materials/fabric/measured.hpp"
 #include "materials/fabric/reduction.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/material_list.hpp"
 #include "solver/app/write_named.hpp"
@@ -137,9 +138,10 @@ class Fit : public Command {
     read(weft_files_, weft_);
     const std::string text = entry();
     if (out_.empty())
-      fmt::print("{}", text);
+      console().say_as_it_is(text);
     else
       write_named(out_, text);
+    console().document() = {{"file", out_.empty() ? Json() : Json(out_)}, {"toml", text}};
     tell_what_is_missing();
     return done;
   }
@@ -267,7 +269,7 @@ class Fit : public Command {
   }
 
   void tell_what_is_missing() const {
-    const auto note = [](const std::string& text) { fmt::print(stderr, "note: {}\n", text); };
+    const auto note = [this](const std::string& text) { console().note("note: " + text); };
     if (warp_.tensile().empty()) note("no tensile test: a case cannot use the entry before it has a law and its curve");
     const std::string shear = law_ == "kes" ? "G" : "shear";
     if (warp_.values.count("G") + weft_.values.count("G") == 0 && !has_further(shear))

@@ -11,6 +11,7 @@
 #include "materials/fabric/inputs.hpp"
 #include "materials/fabric/measured.hpp"
 #include "materials/laws/inputs.hpp"
+#include "postproc/documents.hpp"
 #include "solver/app/library_commands.hpp"
 
 namespace snug::app {
@@ -59,6 +60,15 @@ std::string materials_text() {
   for (const auto& [kind, head] : {std::pair{Kind::fabric, "own fabrics"}, std::pair{Kind::tissue, "own tissues"}})
     if (const auto own = own_entities(kind); !own.empty()) text += fmt::format("{}: {}\n", head, input::joined(own));
   return text;
+}
+
+postproc::Json materials_json() {
+  using materials::Kind;
+  const auto names = [](std::vector<std::string> known, Kind kind) {
+    for (const std::string& name : materials::further_shipped(kind)) known.push_back(name);
+    return known;
+  };
+  return {{"fabrics", names(materials::fabric_names(), Kind::fabric)}, {"tissues", names(materials::tissue_names(), Kind::tissue)}, {"own_fabrics", own_entities(Kind::fabric)}, {"own_tissues", own_entities(Kind::tissue)}};
 }
 
 std::string material_text(const std::string& name) {

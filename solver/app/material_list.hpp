@@ -1,6 +1,7 @@
 // What the shipped data and the laws offer.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace snug::app {
 
 /// Fabrics and tissues by name.
 std::string materials_text();
+/// The same for --json: {"fabrics", "tissues", "own_fabrics", "own_tissues"}.
+nlohmann::ordered_json materials_json();
 
 /// One entry as the data hold it, with its source. Throws input::InputError with the nearest known name.
 std::string material_text(const std::string& name);

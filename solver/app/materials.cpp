@@ -9,6 +9,7 @@
 #include "materials/laws/one_point.hpp"
 #include "materials/laws/solid_law.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/library_commands.hpp"
 #include "solver/app/fabric_curves.hpp"
 #include "solver/app/material_fit.hpp"
@@ -43,7 +44,7 @@ input::InputError wrong(const std::string& found, const std::string& remedy) {
 }
 
 /// CSV of one-point states, one row a stretch (in shear: amount of shear).
-void print_curve(const std::string& name, const Curve& curve) {
+void print_curve(const std::string& name, const Curve& curve, Console& console) {
   const Loading loading = loadings().at(curve.mode);
   if (loading != Loading::shear && !(curve.from > 0.0 && curve.to > 0.0))
     throw wrong(fmt::format("a stretch from {} to {}", curve.from, curve.to),
@@ -52,7 +53,8 @@ void print_curve(const std::string& name, const Curve& curve) {
   asked.name = name;
   asked.where = {"snug materials curve", 0, 0};
   const materials::Tissue tissue = materials::find_tissue(asked);
-  fmt::print("{},nominal stress [Pa],Cauchy stress [Pa],J,lateral stretch\n",
+  console.document() = {{"name", name}, {"mode", curve.mode}, {"states", Json::array()}};
+  console.print("{},nominal stress [Pa],Cauchy stress [Pa],J,lateral stretch\n",
              loading == Loading::shear ? "shear" : "stretch");
   for (int i = 0; i <= curve.steps; ++i) {
     const double stretch = curve.from + (curve.to - curve.from) * i / curve.steps;
@@ -60,8 +62,9 @@ void print_curve(const std::string& name, const Curve& curve) {
     if (!state)
       throw wrong(fmt::format("{} has no stable state at stretch {:.6g}", name, stretch),
                   "stay between the stretches printed");
-    fmt::print("{:.10g},{:.10g},{:.10g},{:.12g},{:.12g}\n", stretch, state->nominal_stress, state->cauchy_stress,
-               state->J, state->lateral);
+    console.print("{:.10g},{:.10g},{:.10g},{:.12g},{:.12g}\n", stretch, state->nominal_stress, state->cauchy_stress, state->J, state->lateral);
+    console.document()["states"].push_back({{loading == Loading::shear ? "shear" : "stretch", stretch}, {"nominal_stress_Pa", state->nominal_stress}, {"Cauchy_stress_Pa", state->cauchy_stress},
+                                            {"J", state->J}, {"lateral_stretch", state->lateral}});
   }
 }
 
@@ -70,72 +73,96 @@ bool is_tissue(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A picture where one is asked for, else the table.
-void show_fabrics(const std::string& name, const Curve& options) {
-  const auto fabrics = fabrics_to_draw(name);
-  if (!options.picture.empty()) {
-    write_fabric_picture(fabrics, options.picture);
-    fmt::print("picture: {}\n", options.picture);
+Json curves_json(const std::vector<materials::FabricData>& fabrics, int steps) {
+  Json json = Json::array();
+  for (const materials::FabricData& fabric : fabrics) {
+    Json curves = Json::array();
+    for (const FabricCurve& curve : fabric_curves(fabric, steps)) {
+      const char* at = curve.test == FabricCurve::Test::tensile ? "strain" : "angle_rad";
+      Json points = Json::array();
+      for (const FabricCurve::Point& point : curve.points) points.push_back({{at, point.at}, {"force_N_per_m", point.force}, {"beyond_data", point.beyond}});
+      curves.push_back({{"curve", curve.name()}, {"points", points}});
+    }
+    json.push_back({{"fabric", fabric.loading.name}, {"curves", curves}});
   }
-  if (options.picture.empty() || options.table) fmt::print("{}", fabric_table(fabrics, options.steps));
+  return json;
 }
 
-class Materials : public Command {
+class ListMaterials : public Command {
  public:
-  std::string name() const override { return "materials"; }
-  std::string summary() const override {
-    return "fabrics, tissues and the engineering database: what is known, questions, own entries";
-  }
-
-  Materials() { library_.push_back(make_fit()); }
-  void declare(CLI::App& app) override {
-    app.require_subcommand(1);
-    app.add_subcommand("list", "the names of all entries that a case may have");
-    show_ = app.add_subcommand("show", "values and source of one entry");
-    show_->add_option("NAME", entry_, "fabric, tissue or anything else of the library")->required();
-    curve_ = app.add_subcommand("curve", "stress over stretch of a tissue, or the tensile and shear curves of a fabric: CSV, a picture");
-    curve_->add_option("NAME", entry_, "tissue; fabric of the library; directory of a case, whose garments' fabrics are drawn; or a .toml file of fabrics")
-        ->required();
-    curve_->add_option("--out", options_.picture, "fabric: file of the picture, .svg");
-    curve_->add_flag("--csv", options_.table, "fabric: the table, too, where there is a picture");
-    std::vector<std::string> modes;
-    for (const auto& [mode, loading] : loadings()) modes.push_back(mode);
-    curve_
-        ->add_option("--mode", options_.mode,
-                     input::joined(modes) + "; what is not driven is free, or held where the mode says so")
-        ->check(CLI::IsMember(modes))
-        ->capture_default_str();
-    curve_->add_option("--from", options_.from, "first stretch (shear: amount of shear)")->capture_default_str();
-    curve_->add_option("--to", options_.to, "last one")->capture_default_str();
-    curve_->add_option("--steps", options_.steps, "number of steps")->check(CLI::PositiveNumber)->capture_default_str();
-    for (const auto& command : library_) {
-      CLI::App* sub = app.add_subcommand(command->name(), command->summary());
-      command->declare(*sub);
-      parsers_.push_back(sub);
-    }
-    app.footer(
-        "The library is the file that SNUG_LIBRARY names, else snug/library.db in your data folder; it is made when it "
-        "is first needed. docs/library.md shows it by example.");
-  }
-
+  std::string name() const override { return "list"; }
+  std::string summary() const override { return "the names of all entries that a case may have"; }
+  void declare(CLI::App&) override {}
   int execute() override {
-    for (std::size_t n = 0; n < library_.size(); ++n)
-      if (parsers_[n]->parsed()) return library_[n]->execute();
-    if (curve_->parsed()) {
-      if (is_tissue(entry_)) print_curve(entry_, options_);
-      else show_fabrics(entry_, options_);
-      return done;
-    }
-    fmt::print("{}", show_->parsed() ? material_text(entry_) : materials_text());
+    console().say(materials_text());
+    console().document() = materials_json();
+    return done;
+  }
+};
+
+class ShowMaterial : public Command {
+ public:
+  std::string name() const override { return "show"; }
+  std::string summary() const override { return "values and source of one entry"; }
+  void declare(CLI::App& app) override { app.add_option("NAME", entry_, "fabric, tissue or anything else of the library")->required(); }
+  int execute() override {
+    console().say(material_text(entry_));
+    console().document()["entity"] = known_data_json(entry_);
     return done;
   }
 
  private:
-  CLI::App *show_ = nullptr, *curve_ = nullptr;  // owned by the program's parser
-  std::vector<std::unique_ptr<Command>> library_ = library_commands();
-  std::vector<CLI::App*> parsers_;
+  std::string entry_;
+};
+
+class ShowCurve : public Command {
+ public:
+  std::string name() const override { return "curve"; }
+  std::string summary() const override { return "stress over stretch of a tissue, or the tensile and shear curves of a fabric: CSV, a picture"; }
+  void declare(CLI::App& app) override {
+    app.add_option("NAME", entry_, "tissue; fabric of the library; directory of a case, whose garments' fabrics are drawn; or a .toml file of fabrics")->required();
+    app.add_option("--out", options_.picture, "fabric: file of the picture, .svg");
+    app.add_flag("--csv", options_.table, "fabric: the table, too, where there is a picture");
+    std::vector<std::string> modes;
+    for (const auto& [mode, loading] : loadings()) modes.push_back(mode);
+    app.add_option("--mode", options_.mode, input::joined(modes) + "; what is not driven is free, or held where the mode says so")->check(CLI::IsMember(modes))->capture_default_str();
+    app.add_option("--from", options_.from, "first stretch (shear: amount of shear)")->capture_default_str();
+    app.add_option("--to", options_.to, "last one")->capture_default_str();
+    app.add_option("--steps", options_.steps, "number of steps")->check(CLI::PositiveNumber)->capture_default_str();
+  }
+  int execute() override {
+    if (is_tissue(entry_)) print_curve(entry_, options_, console());
+    else show_fabrics();
+    return done;
+  }
+
+ private:
+  /// A picture where one is asked for, else the table.
+  void show_fabrics() const {
+    const auto fabrics = fabrics_to_draw(entry_);
+    console().document()["fabrics"] = curves_json(fabrics, options_.steps);
+    if (!options_.picture.empty()) {
+      write_fabric_picture(fabrics, options_.picture);
+      console().print("picture: {}\n", options_.picture);
+    }
+    if (options_.picture.empty() || options_.table) console().say_as_it_is(fabric_table(fabrics, options_.steps));
+  }
+
   std::string entry_;
   Curve options_;
+};
+
+class Materials : public CommandGroup {
+ public:
+  Materials()
+      : CommandGroup("materials", "fabrics, tissues and the engineering database: what is known, questions, own entries",
+                     "The library is the file that SNUG_LIBRARY names, else snug/library.db in your data folder; it is made when it is first needed. docs/library.md shows it by example.") {
+    commands_.push_back(std::make_unique<ListMaterials>());
+    commands_.push_back(std::make_unique<ShowMaterial>());
+    commands_.push_back(std::make_unique<ShowCurve>());
+    commands_.push_back(make_fit());
+    for (auto& command : library_commands()) commands_.push_back(std::move(command));
+  }
 };
 
 }  // namespace

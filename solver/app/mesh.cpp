@@ -6,6 +6,7 @@
 #include "postproc/grid.hpp"
 #include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/output_directory.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/print_plan.hpp"
@@ -47,12 +48,15 @@ class Mesh : public Command {
     cleaner.repair(out.target());
     const PreparedCase prepared = prepare(directory_, options_);
     out.aside();
-    fmt::print("{}\n\n{}", prepared.description.title, quality_text(prepared));
+    console().print("{}\n\n{}", prepared.description.title, quality_text(prepared));
+    console().document()["title"] = prepared.description.title;
+    add_meshes(console().document(), prepared);
     const solver::Meshes& meshes = prepared.meshes;
     if (!meshes.body.nodes.empty()) postproc::write_body(solver::body_result(meshes.body, true), {}, out.aside() / "body.vtu");
     if (!meshes.garments.empty()) postproc::write_garment(as_placed(meshes.garments), out.aside() / "garment.vtu");
     out.commit();
-    fmt::print("  files: {}\n", out.target().string());
+    console().print("  files: {}\n", out.target().string());
+    console().document()["out"] = out.target().string();
     return done;
   }
 

@@ -42,7 +42,7 @@ class New : public Command {
   int execute() override {
     const fs::path from = model_directory(like_);
     copy_case(from, directory_);
-    fmt::print("{} is a copy of {}. Next: edit {}/case.toml, then snug check {}\n", directory_, like_, directory_,
+    console().print("{} is a copy of {}. Next: edit {}/case.toml, then snug check {}\n", directory_, like_, directory_,
                directory_);
     return done;
   }

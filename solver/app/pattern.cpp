@@ -11,6 +11,7 @@
 #include "mesh/pattern/read_pattern.hpp"
 #include "mesh/pattern/sewn_mesh.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/pattern_placing.hpp"
 #include "solver/app/pattern_table.hpp"
 #include "solver/app/write_named.hpp"
@@ -54,19 +55,22 @@ class PatternCommand : public Command {
       pattern.title += fmt::format(" (girth x {:g}, length x {:g})", grade_[0], grade_[1]);
     }
     const mesh::CheckedPattern checked = mesh::checked(std::move(pattern));
-    for (const input::Diagnostic& warning : checked.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
-    fmt::print("{}", pattern_table(checked));
+    for (const input::Diagnostic& warning : checked.warnings) console().warn(warning);
+    console().say(pattern_table(checked));
+    console().document() = pattern_json(checked);
     std::optional<mesh::SewnMesh> mesh;
     if (!cells_.empty() || !scan_.empty()) {
       mesh = mesh::mesh_pattern(checked, cells_.empty() ? 0.013 : positive("--cells", cells_));
-      fmt::print("{}", mesh_table(*mesh));
+      console().say(mesh_table(*mesh));
+      console().document()["mesh"] = mesh_json(*mesh);
     }
     fs::create_directories(out_);
     const fs::path drawing = fs::path(out_) / (fs::path(file_).stem().string() + ".svg");
     write_named(drawing.string(), mesh::drawing_svg(checked, mesh ? &*mesh : nullptr));
-    fmt::print("\ndrawing: {}\n", drawing.string());
+    console().print("\ndrawing: {}\n", drawing.string());
+    console().document()["files"].push_back(drawing.string());
     if (!write_.empty()) write(checked);
-    if (!scan_.empty()) place_on_scan(checked, *mesh, request());
+    if (!scan_.empty()) place_on_scan(checked, *mesh, request(), console());
     return done;
   }
 
@@ -100,7 +104,8 @@ class PatternCommand : public Command {
       throw input::InputError({.file = "--write"}, "\"" + write_ + "\" has no ending that patterns are written with",
                               "name a .json file (GarmentCode)");
     write_named(write_, mesh::garmentcode_text(checked));
-    fmt::print("pattern: {}\n", write_);
+    console().print("pattern: {}\n", write_);
+    console().document()["files"].push_back(write_);
   }
 
   std::string file_, out_ = ".", cells_, write_, scan_, up_ = "y", front_, unit_ = "1 m", height_;

@@ -7,6 +7,7 @@
 #include "cases/input/choice.hpp"
 #include "mesh/placement/placed_drawing.hpp"
 #include "postproc/grid.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/write_named.hpp"
 
 namespace snug::app {
@@ -48,6 +49,14 @@ std::string placed_text(const mesh::PlacedGarment& placed) {
   return text;
 }
 
+Json placed_json(const mesh::PlacedGarment& placed) {
+  const mesh::StretchFigures& s = placed.figures;
+  Json criteria = Json::array();
+  for (const mesh::Criterion& one : placed.acceptance) criteria.push_back({{"criterion", one.what}, {"found", one.found}, {"met", one.met}});
+  return {{"first_gap_m", placed.first_gap}, {"last_gap_m", placed.last_gap}, {"widest_seam", placed.widest_seam}, {"self_crossings", placed.self_crossings},
+          {"principal_stretch", {{"smallest", s.smallest}, {"median", s.median}, {"percentile_99", s.percentile_99}, {"largest", s.largest}}}, {"acceptance", criteria}};
+}
+
 void write_garment(const mesh::SewnMesh& sewn, const mesh::PlacedGarment& placed, const fs::path& file) {
   std::vector<std::array<int, 3>> corners;
   for (const auto& t : sewn.triangles) corners.push_back({t[0], t[1], t[2]});
@@ -67,21 +76,22 @@ void write_garment(const mesh::SewnMesh& sewn, const mesh::PlacedGarment& placed
 
 }  // namespace
 
-void place_on_scan(const mesh::CheckedPattern& checked, const mesh::SewnMesh& sewn, const PlacingRequest& request) {
+void place_on_scan(const mesh::CheckedPattern& checked, const mesh::SewnMesh& sewn, const PlacingRequest& request, Console& console) {
   Clock::time_point begin = Clock::now();
   const mesh::DressForm form(
       mesh::standing_body(mesh::read_surface(request.scan), request.axes, {request.scan.string()}));
   const double body_seconds = seconds_since(begin);
-  fmt::print("{}", body_text(form));
+  console.say(body_text(form));
   begin = Clock::now();
   const mesh::PlacedGarment placed = mesh::place_garment(checked, sewn, form, request.options);
   const double seconds = seconds_since(begin);
-  fmt::print("{}  {:.2f} s, and {:.2f} s for the body\n", placed_text(placed), seconds, body_seconds);
+  console.print("{}  {:.2f} s, and {:.2f} s for the body\n", placed_text(placed), seconds, body_seconds);
   write_garment(sewn, placed, request.out / "garment.vtu");
   postproc::write_grid(postproc::surface_grid(form.body.surface.vertices, form.body.surface.triangles),
                        request.out / "body.vtu");
   write_named(request.out / "placed.svg", mesh::placed_svg(placed, form));
-  fmt::print("\nplaced shape: {0}/garment.vtu, {0}/body.vtu, {0}/placed.svg\n", request.out.string());
+  console.document()["placed"] = placed_json(placed);
+  console.print("\nplaced shape: {0}/garment.vtu, {0}/body.vtu, {0}/placed.svg\n", request.out.string());
   mesh::check_accepted(placed, checked.pattern);
 }
 

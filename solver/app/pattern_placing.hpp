@@ -6,6 +6,7 @@
 
 #include "mesh/pattern/sewn_mesh.hpp"
 #include "mesh/placement/place_garment.hpp"
+#include "solver/app/console.hpp"
 
 namespace snug::app {
 
@@ -19,6 +20,6 @@ struct PlacingRequest {
 
 /// Places the pattern, prints landmarks, gaps, stretches, times and the acceptance line by line, and writes the shapes
 /// in the frame of the body. Throws input::InputError where it cannot be placed, after what there is has been written.
-void place_on_scan(const mesh::CheckedPattern& checked, const mesh::SewnMesh& sewn, const PlacingRequest& request);
+void place_on_scan(const mesh::CheckedPattern& checked, const mesh::SewnMesh& sewn, const PlacingRequest& request, Console& console);
 
 }  // namespace snug::app

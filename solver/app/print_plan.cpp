@@ -102,10 +102,10 @@ std::string quality_text(const PreparedCase& prepared) {
   std::string text;
   if (!prepared.meshes.scan.empty()) text += scan_text(prepared.meshes.scan);
   if (prepared.description.body && prepared.description.body->kind == input::BodyKind::scan && prepared.meshes.limb.bone) text += girths_text(prepared.meshes.limb);
-  text += fmt::format("meshes\n  {:<16} {:>8} {:>14} {:>14} {:>10} {:>12}\n", "layer", "cells", "min jacobian",
+  text += fmt::format("meshes\n  {:<16} {:>8} {:>13} {:>13} {:>9} {:>12}\n", "layer", "cells", "min jacobian",
                       "mean jacobian", "aspect", "volume [ml]");
   for (const mesh::QualityRow& row : prepared.quality)
-    text += fmt::format("  {:<16} {:>8} {:>14.3f} {:>14.3f} {:>10.1f} {:>12.1f}\n", row.layer, row.cells,
+    text += fmt::format("  {:<16} {:>8} {:>13.3f} {:>13.3f} {:>9.1f} {:>12.1f}\n", row.layer, row.cells,
                         row.min_scaled_jacobian, row.mean_scaled_jacobian, row.max_aspect, row.volume * 1e6);
   for (std::size_t g = 0; g < prepared.meshes.garments.size(); ++g) {
     const mesh::GarmentMesh& garment = prepared.meshes.garments[g];

@@ -1,20 +1,15 @@
 #include "solver/app/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 
+#include "solver/app/wrapping.hpp"
+
 namespace snug::app {
 
 namespace {
-
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 20 ? size.ws_col : 80;
-}
 
 bool same_increment(const solver::Progress& a, const solver::Progress& b) {
   return a.phase == b.phase && a.increment == b.increment && a.attempt == b.attempt;
@@ -33,6 +28,15 @@ std::string progress_text(const solver::Progress& p) {
   return text;
 }
 
+std::string progress_text(const solver::Progress& p, std::size_t width) {
+  const std::string attempt = p.attempt > 1 ? fmt::format(", attempt {}", p.attempt) : "", of = p.expected > 0.0 ? fmt::format(" of {:.0f} s", p.expected) : " s";
+  std::string text = progress_text(p);
+  if (columns_of(text) > width) text = fmt::format("{:<12} increment {:>3}{}  s {:.3f}  Newton {:>2}  residual {:.1e}  {:.0f}{}", p.phase, p.increment, attempt, p.load, p.iteration, p.residual, p.elapsed, of);
+  if (columns_of(text) > width) text = fmt::format("{}  increment {}{}  s {:.3f}  Newton {}  residual {:.0e}  {:.0f}{}", p.phase, p.increment, attempt, p.load, p.iteration, p.residual, p.elapsed, of);
+  if (columns_of(text) > width) text = fmt::format("{}  increment {}{}  s {:.3f}  {:.0f}{}", p.phase, p.increment, attempt, p.load, p.elapsed, of);
+  return text.substr(0, width);
+}
+
 bool overdue(const solver::Progress& p) {
   return p.expected > 0.0 && p.elapsed > std::max(noticed, patience * p.expected);
 }
@@ -44,16 +48,17 @@ std::string overdue_text(const solver::Progress& p) {
                      p.expected, doing, p.iteration, p.residual);
 }
 
-ProgressLine::ProgressLine(bool quiet) : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0) {}
+ProgressLine::ProgressLine(const Console& console, bool quiet) : width_(console.width()), quiet_(quiet || console.json()) {}
 
 void ProgressLine::show(const solver::Progress& progress) {
   if (quiet_) return;
   if (!overdue_ && overdue(progress)) {
     overdue_ = true;
-    fmt::print("{}{}\n", open_ ? "\r\033[K" : "", overdue_text(progress));
+    print((open_ ? "\r\033[K" : "") + wrapped(overdue_text(progress), width_) + "\n");
+    open_ = false;
   }
-  if (terminal_) {
-    print("\r\033[K" + progress_text(progress).substr(0, terminal_width() - 1));
+  if (terminal()) {
+    print("\r\033[K" + progress_text(progress, width_ - 1));
     open_ = true;
   } else if (any_ && !same_increment(progress, last_)) {
     print(progress_text(last_) + "\n");  // an increment is over when the next begins
@@ -65,7 +70,7 @@ void ProgressLine::show(const solver::Progress& progress) {
 
 void ProgressLine::finish() {
   if (quiet_ || !any_) return;
-  if (!terminal_) print(progress_text(last_) + "\n");
+  if (!terminal()) print(progress_text(last_) + "\n");
   if (open_) print("\n");
   std::fflush(stdout);
   any_ = open_ = false;

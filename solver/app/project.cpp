@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "postproc/report/page.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/project_derive.hpp"
 #include "solver/app/project_text.hpp"
@@ -46,7 +47,24 @@ std::string decision_text(const materials::Decision& decision) {
   return fmt::format("run {}{}{} ({}, {})", decision.run, decision.why.empty() ? "" : ": ", decision.why, decision.who, minute_of(decision.moment));
 }
 
+Json decision_json(const std::optional<materials::Decision>& decision) {
+  return decision ? Json{{"run", decision->run}, {"why", decision->why}, {"by", decision->who}, {"moment", decision->moment}} : Json();
+}
+
 void declare_unit(CLI::App& app, std::string& unit) { app.add_option("--unit", unit, "of the pressures: Pa, kPa, gf/cm2, mmHg")->capture_default_str(); }
+
+Json runs_json(const std::vector<RunRecord>& runs) {
+  Json json = Json::array();
+  for (const RunRecord& run : runs) json.push_back(run_json(run, false));
+  return json;
+}
+
+/// A row a setting, with its value in each run.
+Json differences_json(const std::vector<RunRecord>& runs) {
+  Json json = Json::array();
+  for (const Difference& row : differences(runs)) json.push_back({{"key", row.key}, {"values", row.values}});
+  return json;
+}
 
 class List : public LibraryCommand {
  public:
@@ -57,12 +75,14 @@ class List : public LibraryCommand {
   int act(Library& library) override {
     const Runs runs(library);
     std::vector<std::vector<std::string>> rows{{"project", "runs", "converged", "last", "decision"}};
+    Json& projects = console().document()["projects"] = Json::array();
     for (const materials::ProjectHead& head : runs.projects()) {
       const auto decision = runs.decision(head.name);
+      projects.push_back({{"project", head.name}, {"runs", head.runs}, {"converged", head.converged}, {"first", head.first}, {"last", head.last}, {"decision", decision_json(decision)}});
       rows.push_back({head.name, std::to_string(head.runs), std::to_string(head.converged), minute_of(head.last), decision ? fmt::format("run {}", decision->run) : ""});
     }
-    if (rows.size() == 1) fmt::print(stderr, "no run is recorded yet; snug run records what it computes\n");
-    else fmt::print("{}", aligned(rows));
+    if (rows.size() == 1) console().note("no run is recorded yet; snug run records what it computes");
+    else console().say(aligned(rows));
     return done;
   }
 };
@@ -80,11 +100,13 @@ class Show : public LibraryCommand {
     const Runs runs(library);
     const PressureUnit unit(unit_);
     if (const auto number = run_meant(runs, what_)) {
-      fmt::print("{}", run_text(runs.run(*number), unit));
+      console().say(run_text(runs.run(*number), unit));
+      console().document() = {{"runs", Json::array({run_json(runs.run(*number), true)})}};
       return done;
     }
     const std::vector<RunRecord> all = runs_of(runs, what_);
-    fmt::print("{}", known_data_text(what_));
+    console().document() = {{"project", what_}, {"specification", known_data_json(what_)}, {"runs", runs_json(all)}, {"what_differs", differences_json(all)}, {"decision", decision_json(runs.decision(what_))}};
+    console().print("{}", known_data_text(what_));
     const std::vector<std::string> locations = locations_of(all);
     std::vector<std::vector<std::string>> rows{{"run", "recorded", "by", "status", "comfort"}};
     for (const std::string& name : locations) rows[0].push_back(name);
@@ -95,7 +117,7 @@ class Show : public LibraryCommand {
       for (const std::string& name : locations) rows.back().push_back(cell(name));
       rows.back().push_back(run.note);
     }
-    fmt::print("{}", aligned(rows));
+    console().print("{}", aligned(rows));
     rows.clear();
     for (const Difference& row : differences(all)) {
       rows.push_back({row.key});
@@ -104,9 +126,9 @@ class Show : public LibraryCommand {
     if (!rows.empty()) {
       rows.insert(rows.begin(), {{"what differs"}});
       for (const RunRecord& run : all) rows.front().push_back(fmt::format("run {}", run.number));
-      fmt::print("\n{}", aligned(rows));
+      console().print("\n{}", aligned(rows));
     }
-    if (const auto decision = runs.decision(what_)) fmt::print("\n  decided for {}\n", decision_text(*decision));
+    if (const auto decision = runs.decision(what_)) console().print("\n  decided for {}\n", decision_text(*decision));
     return done;
   }
   std::string what_, unit_ = "gf/cm2";
@@ -124,7 +146,8 @@ class CompareRuns : public LibraryCommand {
   int act(Library& library) override {
     std::vector<RunRecord> all;
     for (const std::int64_t number : numbers_) all.push_back(Runs(library).run(number));
-    fmt::print("{}", comparison_text(all, PressureUnit(unit_)));
+    console().say(comparison_text(all, PressureUnit(unit_)));
+    console().document() = {{"runs", runs_json(all)}, {"what_differs", differences_json(all)}};
     return done;
   }
   std::vector<std::int64_t> numbers_;
@@ -142,7 +165,10 @@ class Trace : public LibraryCommand {
 
  private:
   int act(Library& library) override {
-    fmt::print("{}", trace_text(Runs(library).run(number_), result_, library, PressureUnit(unit_)));
+    const RunRecord run = Runs(library).run(number_);
+    console().say(trace_text(run, result_, library, PressureUnit(unit_)));
+    const RunValue& value = *run.result(result_);
+    console().document() = {{"result", result_}, {"value", value.number ? Json(*value.number) : Json(value.value)}, {"unit", value.unit}, {"runs", Json::array({run_json(run, true)})}};
     return done;
   }
   std::int64_t number_ = 0;
@@ -164,7 +190,7 @@ class Derive : public LibraryCommand {
     const fs::path directory = fs::absolute(directory_).lexically_normal();
     derive_case(runs.run(number_), directory_, overrides_, library);
     runs.derive((directory.has_filename() ? directory : directory.parent_path()).string(), number_);
-    fmt::print("{0} is derived from run {1}. Next: snug check {0}, then snug run {0}\n", directory_, number_);
+    console().print("{0} is derived from run {1}. Next: snug check {0}, then snug run {0}\n", directory_, number_);
     return done;
   }
   std::int64_t number_ = 0;
@@ -257,7 +283,8 @@ class Page : public LibraryCommand {
       view.left_out = fmt::format("Of {} runs the results are no longer at their place, or others are: they stand in the list and not among the maps. snug run --out keeps the results of each.", elsewhere);
     const fs::path file = file_.empty() ? file_name() : fs::path(file_);
     write_page(postproc::report::project_page(view), file);
-    fmt::print("{}\n", file.string());
+    console().print("{}\n", file.string());
+    console().document() = {{"file", file.string()}, {"project", project_}};
     return done;
   }
 
@@ -277,9 +304,11 @@ class Page : public LibraryCommand {
   std::string project_, file_, unit_ = "gf/cm2";
 };
 
-class Project : public Command {
+class Project : public CommandGroup {
  public:
-  Project() {
+  Project()
+      : CommandGroup("project", "recorded runs: list, compare, trace to the library's data, derive new cases, a page",
+                     "snug run records what it computes in the library (SNUG_LIBRARY, else snug/library.db in your data folder); --no-record or SNUG_RECORD=off leaves it out.") {
     commands_.push_back(std::make_unique<List>());
     commands_.push_back(std::make_unique<Show>());
     commands_.push_back(std::make_unique<CompareRuns>());
@@ -290,25 +319,6 @@ class Project : public Command {
     commands_.push_back(std::make_unique<Page>());
     commands_.push_back(std::make_unique<Forget>());
   }
-  std::string name() const override { return "project"; }
-  std::string summary() const override { return "recorded runs: list, compare, trace to the library's data, derive new cases, a page"; }
-  void declare(CLI::App& app) override {
-    app.require_subcommand(1);
-    for (const auto& command : commands_) {
-      parsers_.push_back(app.add_subcommand(command->name(), command->summary()));
-      command->declare(*parsers_.back());
-    }
-    app.footer("snug run records what it computes in the library (SNUG_LIBRARY, else snug/library.db in your data folder); --no-record or SNUG_RECORD=off leaves it out.");
-  }
-  int execute() override {
-    for (std::size_t n = 0; n < commands_.size(); ++n)
-      if (parsers_[n]->parsed()) return commands_[n]->execute();
-    return input_wrong;
-  }
-
- private:
-  std::vector<std::unique_ptr<Command>> commands_;
-  std::vector<CLI::App*> parsers_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "cases/input/diagnostics.hpp"
 #include "postproc/report/page.hpp"
+#include "postproc/documents.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/report_files.hpp"
 
@@ -33,7 +34,8 @@ class Report : public Command {
                               "leave --out out: report.html goes beside the results");
     for (const fs::path out : results_) {
       write_report(out, no_pictures_ ? left_out() : draw_pictures(out));
-      fmt::print("{}\n", (out / "report.html").string());
+      console().print("{}\n", (out / "report.html").string());
+      console().document()["files"].push_back((out / "report.html").string());
     }
     return done;
   }
@@ -44,7 +46,8 @@ class Report : public Command {
       throw input::InputError({"--compare", 0, 0}, "there is one result to compare", "name two or more");
     const fs::path file = file_.empty() ? "compare.html" : fs::path(file_);
     write_page(postproc::report::comparison_page({results_.begin(), results_.end()}), file);
-    fmt::print("{}\n", file.string());
+    console().print("{}\n", file.string());
+    console().document()["files"].push_back(file.string());
     return done;
   }
 

@@ -40,11 +40,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void warn_of_slow_blas() {
+void warn_of_slow_blas(Console& console) {
   if (solver::loaded_blas() == "reference")
-    fmt::print(stderr,
-               "snug: warning: the reference BLAS is loaded, which solves about four times slower; "
-               "scripts/setup installs OpenBLAS (libopenblas0-pthread)\n");
+    console.warn("snug: warning: the reference BLAS is loaded, which solves about four times slower; scripts/setup installs OpenBLAS (libopenblas0-pthread)");
 }
 
 /// Writes the results and gives what was written.
@@ -64,11 +62,11 @@ ResultList names_of_results() {
   return names;
 }
 
-int status_of(const postproc::RunResult& run, const fs::path& directory) {
+int status_of(const postproc::RunResult& run, const fs::path& directory, Console& console) {
   if (run.status == postproc::Status::converged) return done;
-  fmt::print(stderr, "{}: error: {}; {}\n", (directory / "case.toml").string(),
-             run.status == postproc::Status::partial ? "the solution stopped on its way, what converged is kept" : "nothing converged",
-             run.message.empty() ? "see history.csv" : run.message);
+  console.error(fmt::format("{}: error: {}; {}", (directory / "case.toml").string(),
+                            run.status == postproc::Status::partial ? "the solution stopped on its way, what converged is kept" : "nothing converged",
+                            run.message.empty() ? "see history.csv" : run.message));
   return not_converged;
 }
 
@@ -100,7 +98,8 @@ class Run : public Command {
         ->type_name("KEY=FROM:TO:N")
         ->allow_extra_args(false);
     app.add_option("--jobs", jobs_, "of several runs so many at a time (as many as there are cores)")->check(CLI::Range(1, 1024));
-    app.add_option("--rank-status", status_file_)->group("");  // of the launcher of ranks
+    app.add_option("--rank-status", status_file_)->group("");  // of the launcher of ranks, whose own terminal the ranks do not see
+    app.add_option("--rank-terminal", rank_widths_)->group("")->delimiter(',')->expected(2);
     app.footer("Ctrl-C, SIGTERM: the running step is given up, what converged is written as partial, exit status 130 or 143; a second one\n"
                "ends at once and leaves the earlier results. A run of over a minute can be gone on from with --resume; its answer is the same.");
   }
@@ -115,11 +114,11 @@ class Run : public Command {
       cleaner_.emplace();
       return run_as_rank(launcher);
     }
-    if (batch.several()) return run_batch(batch);
+    if (batch.several()) return run_batch(batch, console());
     cleaner_.emplace();
     if (const int ranks = ranks_ > 0 ? ranks_ : chosen_ranks(); ranks > 1) {
       for (const std::string& directory : directories_) options_.read(directory);  // what is wrong is said once
-      return launch_ranks(ranks, *cleaner_);
+      return launch_ranks(ranks, *cleaner_, console());
     }
     const StopSignals signals(false);
     return run_all();
@@ -162,6 +161,8 @@ class Run : public Command {
                               "start them with Open MPI's mpirun, or with srun --mpi=pmix");
     writes_ = solver::this_rank().number == 0;
     quiet_ = quiet_ || !writes_;
+    if (!writes_) console().leave_to_another();
+    if (launcher.processes > 1) console().take_widths(rank_widths_[0], rank_widths_[1]);
     try {
       return run_all();
     } catch (const std::exception& error) {
@@ -179,7 +180,7 @@ class Run : public Command {
     try {
       return run_one(directory);
     } catch (const input::InputError& error) {
-      if (writes_) fmt::print(stderr, "{}\n", error.what());
+      if (writes_) console().error(error);
       if (solver::this_rank().of == 1) return input_wrong;
       if (!writes_) ::sleep(2);  // rank 0 has the word, if it found the same
       end_all(input_wrong);
@@ -187,7 +188,7 @@ class Run : public Command {
   }
 
   [[noreturn]] void end_all(int status) const {
-    if (writes_) report_status(status_file_, status);
+    if (writes_) report_status(status_file_, status), console().finish(name(), status);
     solver::end_all_ranks(status);
   }
 
@@ -196,7 +197,7 @@ class Run : public Command {
   static int signal() { return StopSignals::received() == 0 ? SIGTERM : StopSignals::received(); }
 
   int given_up(const fs::path& directory, const char* before) const {
-    if (writes_) fmt::print(stderr, "{}: error: stopped by you ({}) before {}; nothing is written\n", directory.string(), StopSignals::name(signal()), before);
+    if (writes_) console().error(fmt::format("{}: error: stopped by you ({}) before {}; nothing is written", directory.string(), StopSignals::name(signal()), before));
     return 128 + signal();
   }
 
@@ -209,7 +210,7 @@ class Run : public Command {
         read_references(prepared.description);  // wrong ones before the solve
     const solver::Plan plan = solver::plan(prepared);
     if (writes_)
-      for (const input::Diagnostic& warning : prepared.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
+      for (const input::Diagnostic& warning : prepared.warnings) console().warn(warning);
     if (writes_) make_room(out);
     if (stopped()) return given_up(directory, "the solution began");
     if (!session_) {
@@ -217,7 +218,7 @@ class Run : public Command {
       session_ = std::make_unique<SolverSession>();
       StopSignals::take(false);  // PETSc has taken some of them
     }
-    if (writes_) warn_of_slow_blas();
+    if (writes_) warn_of_slow_blas(console());
     say(plan_text(prepared.description.title, plan) + "\n");
     std::optional<Recording> recording;
     if (writes_) recording.emplace(prepared, options_, recording_);
@@ -247,7 +248,8 @@ class Run : public Command {
     if (!gave_up_) checkpoint.remove();
     say(final_text(run, evaluation, out.target()) + verdict_ + recording->finish(stored, out.target()));
     if (gave_up_ && checkpoint.there()) say(fmt::format("  to go on            the same command with --resume (from {})\n", checkpoint.file().string()));
-    const int status = std::max(status_of(run, directory), regression);
+    console().document()["runs"].push_back({{"directory", directory.string()}, {"out", out.target().string()}, {"summary", stored.summary}});
+    const int status = std::max(status_of(run, directory, console()), regression);
     return run.status != postproc::Status::converged && gave_up_ ? 128 + signal() : status;
   }
 
@@ -275,7 +277,7 @@ class Run : public Command {
                                             ? draw_pictures(out.aside())
                                             : postproc::report::Pictures{{}, "`snug report` draws them in a few seconds."});
     } catch (const std::exception& error) {
-      fmt::print(stderr, "snug: warning: report.html is missing: {}\n", error.what());
+      console().warn(fmt::format("snug: warning: report.html is missing: {}", error.what()));
     }
   }
 
@@ -286,16 +288,16 @@ class Run : public Command {
       const auto comparisons = compare_with(references, stored, out.aside(), out.target());
       verdict_ = verdict_text(comparisons);
       const bool within = std::all_of(comparisons.begin(), comparisons.end(), [](const auto& c) { return c.within(); });
-      if (!within && quiet_) fmt::print(stderr, "{}", verdict_);
+      if (!within && quiet_) console().error(verdict_);
       return within ? done : outside_tolerance;
     } catch (const input::InputError& error) {
-      fmt::print(stderr, "{}\n", error.what());
+      console().error(error);
       return input_wrong;
     }
   }
 
   postproc::RunResult solve(const PreparedCase& prepared, StateFiles& states, OutputDirectory& out, solver::Journal* journal) {
-    ProgressLine line(quiet_);
+    ProgressLine line(console(), quiet_);
     const solver::KeptStates kept{states_, [&](double way, const postproc::RunResult& state) {
                                     if (writes_) states.write(way, state, out.aside());
                                   }};
@@ -304,11 +306,8 @@ class Run : public Command {
         [this] { return gave_up_ = gave_up_ || stopped(); }, journal);
   }
 
-  /// Nobody may be listening any more; that costs no solution. It is told at the end.
   void say(const std::string& text) const {
-    if (quiet_) return;
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    std::fflush(stdout);
+    if (!quiet_) console().say(text);
   }
 
   std::vector<std::string> directories_;
@@ -316,6 +315,7 @@ class Run : public Command {
   RecordingOptions recording_;
   std::string out_, status_file_;
   std::vector<std::string> variants_, sweeps_;
+  std::vector<std::size_t> rank_widths_ = {0, 0};  ///< of standard output and error, 0: no terminal
   int ranks_ = 0, states_ = 0, jobs_ = 0;  // no ranks given: 0
   double interval_ = 60.0;
   bool quiet_ = false, pictures_ = false, no_report_ = false, resume_ = false;

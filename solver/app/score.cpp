@@ -17,6 +17,7 @@
 #include "postproc/evaluate.hpp"
 #include "postproc/summary.hpp"
 #include "solver/app/comfort_pages.hpp"
+#include "postproc/evaluation_document.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/final_table.hpp"
 #include "solver/app/write_named.hpp"
@@ -38,7 +39,7 @@ postproc::FuzzySystem single_terms(postproc::FuzzySystem system) {
   return system;
 }
 
-void fit(const std::string& file, const FitOptions& options) {
+void fit(const std::string& file, const FitOptions& options, Console& console) {
   input::Diagnostics diagnostics;
   const input::Csv table = input::read_csv(file, diagnostics);
   diagnostics.throw_if_any();
@@ -48,15 +49,15 @@ void fit(const std::string& file, const FitOptions& options) {
   curves.patch = options.patch;
   curves.population = options.population;
   const postproc::MembershipFit memberships = postproc::fit_memberships(table);
-  fmt::print("{}{}", statistics_text(curves), memberships_text(memberships));
+  console.print("{}{}", statistics_text(curves), memberships_text(memberships));
   write_named(options.out + ".toml", postproc::curves_toml(curves));
   write_named(options.out + ".fll", postproc::fll_text(memberships.system));
-  fmt::print("  files            {0}.toml (comfort.curves), {0}.fll (comfort.fuzzy)", options.out);
+  console.print("  files            {0}.toml (comfort.curves), {0}.fll (comfort.fuzzy)", options.out);
   try {
     write_named(options.out + ".fis", postproc::fis_text(single_terms(memberships.system)));
-    fmt::print(", {}.fis (the same rules, one term of a location a rule)\n", options.out);
+    console.print(", {}.fis (the same rules, one term of a location a rule)\n", options.out);
   } catch (const std::invalid_argument& fault) {
-    fmt::print("; no FIS file: {}\n", fault.what());
+    console.print("; no FIS file: {}\n", fault.what());
   }
 }
 
@@ -75,15 +76,19 @@ std::set<std::string> garments_of(const std::string& text) {
   return garments;
 }
 
-void validate(const std::string& file, const std::string& shape, const std::string& train, const std::string& test) {
+void validate(const std::string& file, const std::string& shape, const std::string& train, const std::string& test, Console& console) {
   input::Diagnostics diagnostics;
   const input::Csv table = input::read_csv(file, diagnostics);
   diagnostics.throw_if_any();
   const postproc::TrialValidation found = postproc::validate_trial(table, shape, garments_of(train), garments_of(test));
-  fmt::print("curves ({}) of garments {}, ratings of garments {}\n  {:<16} {:>7} {:>8} {:>8}\n", shape, train, test, "location", "ratings", "rms", "largest");
+  postproc::Json rows = postproc::Json::array();
   for (const postproc::LocationValidation& one : found.locations)
-    fmt::print("  {:<16} {:>7} {:>8.4f} {:>8.4f}{}\n", one.location, one.tested, one.rms, one.largest, one.significant ? "" : "  not significant: the mean is told, and is not in the sum");
-  fmt::print("  {:<16} {:>7} {:>8.4f}\n", "all", found.ratings, found.rms);
+    rows.push_back({{"location", one.location}, {"ratings", one.tested}, {"rms", one.rms}, {"largest", one.largest}, {"significant", one.significant}});
+  console.document() = {{"shape", shape}, {"locations", rows}, {"ratings", found.ratings}, {"rms", found.rms}};
+  console.print("curves ({}) of garments {}, ratings of garments {}\n  {:<16} {:>7} {:>8} {:>8}\n", shape, train, test, "location", "ratings", "rms", "largest");
+  for (const postproc::LocationValidation& one : found.locations)
+    console.print("  {:<16} {:>7} {:>8.4f} {:>8.4f}{}\n", one.location, one.tested, one.rms, one.largest, one.significant ? "" : "  not significant: the mean is told, and is not in the sum");
+  console.print("  {:<16} {:>7} {:>8.4f}\n", "all", found.ratings, found.rms);
 }
 
 class Score : public Command {
@@ -102,7 +107,6 @@ class Score : public Command {
         ->check(CLI::Range(0, 1000000))
         ->capture_default_str();
     app.add_option("--seed", spec_.seed, "of the draws")->check(CLI::NonNegativeNumber)->capture_default_str();
-    app.add_flag("--json", json_, "print JSON");
     app.add_flag("--fit", fit_,
                  "FILE is a wear trial (location, a pressure, sensation_rating; optional sensation_term, answers): fit "
                  "curves and memberships, write OUT.toml, OUT.fll and OUT.fis");
@@ -120,11 +124,11 @@ class Score : public Command {
   int execute() override {
     if (!train_.empty()) {
       if (test_.empty()) throw input::InputError({"--train", 0, 0}, "no garments are kept for the test", "name them: --test 5-8");
-      validate(file_, options_.shape, train_, test_);
+      validate(file_, options_.shape, train_, test_, console());
       return done;
     }
     if (fit_) {
-      fit(file_, options_);
+      fit(file_, options_, console());
       return done;
     }
     const auto named = [](const std::string& name, const char* option) {
@@ -137,7 +141,8 @@ class Score : public Command {
     spec_.fuzzy = named(fuzzy_, "--fuzzy");
     for (const std::string& set : thresholds_) spec_.thresholds.push_back(named(set, "--thresholds"));
     const postproc::Evaluation evaluation = postproc::score(postproc::read_pressures(file_), spec_);
-    fmt::print("{}", json_ ? postproc::evaluation_json(evaluation) : locations_text(evaluation));
+    console().say(locations_text(evaluation));
+    console().document() = postproc::evaluation_document(evaluation);
     return done;
   }
 
@@ -146,7 +151,7 @@ class Score : public Command {
   std::vector<std::string> thresholds_;
   input::ComfortSpec spec_;
   FitOptions options_;
-  bool json_ = false, fit_ = false;
+  bool fit_ = false;
 };
 
 }  // namespace

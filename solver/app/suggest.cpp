@@ -10,6 +10,7 @@
 #include "materials/database/named.hpp"
 #include "postproc/evaluate.hpp"
 #include "solver/app/learning_commands.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/library_command.hpp"
 #include "solver/app/library_file.hpp"
 #include "solver/app/prepared_case.hpp"
@@ -173,7 +174,7 @@ class Suggest : public LibraryCommand {
         return pressures;
       });
     } catch (const input::InputError& error) {
-      fmt::print(stderr, "warning: {} is left out: {}\n", fabric, error.errors().front().found);
+      console().warn(fmt::format("warning: {} is left out: {}", fabric, error.errors().front().found));
       return std::nullopt;
     }
   }
@@ -191,7 +192,13 @@ class Suggest : public LibraryCommand {
       for (const Target& target : wanted_) rows.back().push_back(fmt::format("{:.3g}", one.pressures.at(target.location) / unit.factor));
       rows.back().insert(rows.back().end(), {fmt::format("{:.1f} %", 100.0 * one.off), fmt::format("{:+.1f} %", one.per_percent)});
     }
-    fmt::print("guess: tension over radius, corrected by the case as it is ({})\n{}", wearing_.fabric, aligned(rows));
+    Json& list = console().document()["guesses"] = Json::array();
+    for (const Proposal& one : proposals) {
+      Json pressures = Json::object();
+      for (const Target& target : wanted_) pressures[target.location] = one.pressures.at(target.location);
+      list.push_back({{"fabric", one.fabric}, {"factor_on_size", one.size}, {"size", one.size * wearing_.size}, {"size_means", wearing_.meaning}, {"pressures_Pa", pressures}, {"off", one.off}});
+    }
+    console().print("guess: tension over radius, corrected by the case as it is ({})\n{}", wearing_.fabric, aligned(rows));
   }
 
   int verify(const std::vector<Proposal>& proposals, const fs::path& out, const PressureUnit& unit) const {
@@ -203,6 +210,9 @@ class Suggest : public LibraryCommand {
       const auto found = run(out / file_name(one.fabric), overrides(one.fabric, one.size), fmt::format("suggested: {}, {}", one.fabric, size_text(one.size)));
       if (!found) status = not_converged;
       for (const Target& target : wanted_) {
+        Json& verified = console().document()["verified"];
+        verified.push_back({{"fabric", one.fabric}, {"factor_on_size", one.size}, {"place", target.location}, {"wanted_Pa", target.pressure}, {"guess_Pa", one.pressures.at(target.location)},
+                            {"found_Pa", found ? Json(found->at(target.location)) : Json()}});
         const double guess = one.pressures.at(target.location), there = found ? found->at(target.location) : std::nan("");
         rows.push_back({one.fabric, size_text(one.size), target.location, fmt::format("{:.3g}", target.pressure / unit.factor), fmt::format("{:.3g}", guess / unit.factor)});
         rows.back().push_back(found ? fmt::format("{:.3g}", there / unit.factor) : "did not converge");
@@ -211,8 +221,8 @@ class Suggest : public LibraryCommand {
         squares += std::pow(guess / there - 1.0, 2), count += 1.0;
       }
     }
-    if (rows.size() > 1) fmt::print("verified by running\n{}", aligned(rows));
-    if (count > 0.0) fmt::print("error of the guess: {:.1f} % rms over {:.0f} pressures\n", 100.0 * std::sqrt(squares / count), count);
+    if (rows.size() > 1) console().print("verified by running\n{}", aligned(rows));
+    if (count > 0.0) console().print("error of the guess: {:.1f} % rms over {:.0f} pressures\n", 100.0 * std::sqrt(squares / count), count);
     return status;
   }
 
@@ -233,7 +243,7 @@ class Suggest : public LibraryCommand {
     const ChildOutcome child = run_child(words, fs::current_path());
     if (child.status == input_wrong) throw wrong("a run of the case is refused: " + child.output, "snug check tells what a case needs");
     if (child.status != done && child.status != outside_tolerance) {
-      fmt::print(stderr, "{}", child.output);
+      console().error(child.output);
       return std::nullopt;
     }
     std::ifstream file(out / "summary.json");

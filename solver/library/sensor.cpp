@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -82,7 +83,7 @@ class FineFacet {
  public:
   FineFacet(const postproc::RunResult& run, const std::vector<Point>& now, int facet, int parts) : run_(run), now_(now), facet_(facet), parts_(parts) {}
 
-  /// cell(reference, deformed, area, coverage, pressure) at the middle of each.
+  /// cell(reference, deformed, area, pressure) at the middle of each.
   template <class Cell>
   void each(Cell cell) const {
     const std::array<int, 9>& nodes = run_.body.skin_facets[facet_];
@@ -103,8 +104,7 @@ class FineFacet {
  private:
   template <class Cell>
   void one(double xi, double eta, double area, Cell& cell) const {
-    cell(vector(run_.body.nodes, xi, eta), vector(now_, xi, eta), area, std::clamp(value(run_.body.fields[postproc::field::coverage], xi, eta), 0.0, 1.0),
-         value(run_.body.fields[postproc::field::contact_pressure], xi, eta));
+    cell(vector(run_.body.nodes, xi, eta), vector(now_, xi, eta), area, value(run_.body.fields[postproc::field::contact_pressure], xi, eta));
   }
   Point place(double xi, double eta) const { return vector(now_, xi, eta); }
   double value(const std::vector<double>& field, double xi, double eta) const {
@@ -137,6 +137,78 @@ double tension_over(const Point& middle, double radius, const postproc::GarmentR
   return area > 0.0 ? sum / area : of_nearest;
 }
 
+/// Where the cloth near a place is, from the corners of its triangles: what of the skin lies under it.
+class ClothNear {
+ public:
+  /// Triangles of which a corner is within `reach` of `middle`, m, all as they are now.
+  ClothNear(const postproc::GarmentResult& garment, const Point& middle, double reach) {
+    for (const postproc::GarmentPart& part : garment.parts) {
+      std::map<std::pair<int, int>, int> sides;
+      const auto side = [](int a, int b) { return std::pair(std::min(a, b), std::max(a, b)); };
+      for (int t = part.first_triangle; t < part.end_triangle; ++t)
+        for (int i = 0; i < 3; ++i) ++sides[side(garment.triangles[t][i], garment.triangles[t][(i + 1) % 3])];
+      std::vector<Triangle>& own = parts_.emplace_back();
+      for (int t = part.first_triangle; t < part.end_triangle; ++t) {
+        Triangle triangle;
+        double nearest = std::numeric_limits<double>::max();
+        for (int i = 0; i < 3; ++i) {
+          triangle.corner[i] = garment.current[garment.triangles[t][i]];
+          triangle.border[i] = sides[side(garment.triangles[t][i], garment.triangles[t][(i + 1) % 3])] == 1;
+          nearest = std::min(nearest, (triangle.corner[i] - middle).norm());
+        }
+        if (nearest < reach) own.push_back(triangle);
+      }
+    }
+  }
+
+  /// Whether a point of the skin has cloth over it: the nearest of the cloth is not its border.
+  bool covers(const Point& x) const {
+    return std::any_of(parts_.begin(), parts_.end(), [&](const std::vector<Triangle>& part) {
+      double least = std::numeric_limits<double>::max();
+      bool inside = false;
+      for (const Triangle& triangle : part)
+        if (const auto [away, within] = triangle.nearest(x); away < least) least = away, inside = within;
+      return inside;
+    });
+  }
+
+ private:
+  struct Triangle {
+    std::array<Point, 3> corner;
+    std::array<bool, 3> border = {};  ///< of the side from corner i to the next: nothing is sewn to it
+
+    /// Distance, and whether it is to the inside or to a side that goes on.
+    std::pair<double, bool> nearest(const Point& x) const {
+      const Point u = corner[1] - corner[0], v = corner[2] - corner[0], n = u.cross(v), d = x - corner[0];
+      const double whole = n.squaredNorm(), a = u.cross(d).dot(n) / whole, b = d.cross(v).dot(n) / whole;
+      if (a >= 0.0 && b >= 0.0 && a + b <= 1.0) return {std::abs(d.dot(n)) / std::sqrt(whole), true};
+      double least = std::numeric_limits<double>::max();
+      bool within = false;
+      for (int i = 0; i < 3; ++i) {
+        const Point along = corner[(i + 1) % 3] - corner[i];
+        const double s = std::clamp(along.dot(x - corner[i]) / along.squaredNorm(), 0.0, 1.0), away = (corner[i] + s * along - x).norm();
+        if (away < least || (away == least && border[i])) least = away, within = !border[i];
+      }
+      return {least, within};
+    }
+  };
+  std::vector<std::vector<Triangle>> parts_;  ///< by garment
+};
+
+/// Mean pressure of the cloth that lies on the disc, by the forces that it passes to the skin there; nothing where none are known one by one (tier L0).
+std::optional<double> pressure_of_cloth(const Point& middle, double radius, const postproc::RunResult& run) {
+  double force = 0.0, area = 0.0;
+  for (const postproc::ContactSample& sample : run.samples) {
+    if (sample.facet < 0 || !(sample.area > 0.0)) continue;
+    Point at = Point::Zero();
+    const auto weights = postproc::shape_at(run.body.skin_facets[sample.facet], sample.xi, sample.eta);
+    for (int n = 0; n < 9; ++n)
+      if (run.body.skin_facets[sample.facet][n] >= 0) at += weights[n] * run.body.nodes[run.body.skin_facets[sample.facet][n]];
+    if ((at - middle).norm() <= radius) force += sample.force, area += sample.area;
+  }
+  return area > 0.0 ? std::optional(force / area) : std::nullopt;
+}
+
 /// How far a facet's nodes are from a point at least, and how long it is.
 std::pair<double, double> near_and_size(const std::array<int, 9>& facet, const std::vector<Point>& nodes, const Point& x) {
   double near = std::numeric_limits<double>::max(), size = 0.0;
@@ -145,25 +217,44 @@ std::pair<double, double> near_and_size(const std::array<int, 9>& facet, const s
   return {near, size};
 }
 
+/// Where the skin node is now that is nearest to a place on the undeformed skin.
+Point middle_now(const Point& x, const postproc::RunResult& run, const std::vector<Point>& now) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::max();
+  for (const auto& facet : run.body.skin_facets)
+    for (const int n : facet)
+      if (n >= 0 && (run.body.nodes[n] - x).squaredNorm() < least) least = (run.body.nodes[n] - x).squaredNorm(), best = static_cast<std::size_t>(n);
+  return now[best];
+}
+
+double longest_side(const postproc::GarmentResult& garment) {
+  double longest = 0.0;
+  for (const auto& t : garment.triangles)
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, (garment.current[t[(i + 1) % 3]] - garment.current[t[i]]).norm());
+  return longest;
+}
+
 postproc::SensorRow row_of(const input::SensorSpec& sensor, const Model& model, const Meshes& meshes, const postproc::RunResult& run, const std::vector<Point>& now) {
   postproc::SensorRow row{.name = sensor.name, .at = middle_of(sensor, model.asked, meshes.body), .diameter = sensor.diameter, .thickness = sensor.thickness};
-  constexpr double across = 60.0;  // cells over the diameter: the rim is a staircase of a thousandth of the area
-  constexpr double wholly_covered = 0.95;  // what is left to 1 are the chords of the cloth's triangles on the curved skin
+  constexpr double across = 150.0;  // cells over the diameter: half a row of them, which a straight hem may gain or lose, is 0.4 % of the area
   const double radius = 0.5 * sensor.diameter;
+  const ClothNear cloth(run.garment, middle_now(row.at, run, now), 1.5 * sensor.diameter + 2.0 * longest_side(run.garment));
   double area = 0.0, covered = 0.0, force = 0.0;
   Point middle = Point::Zero();
   for (std::size_t f = 0; f < run.body.skin_facets.size(); ++f) {
     const auto [near, size] = near_and_size(run.body.skin_facets[f], run.body.nodes, row.at);
     if (near > radius + size) continue;
-    FineFacet(run, now, static_cast<int>(f), std::clamp(static_cast<int>(std::ceil(across * size / sensor.diameter)), 2, 80))
-        .each([&](const Point& reference, const Point& deformed, double own, double coverage, double pressure) {
+    FineFacet(run, now, static_cast<int>(f), std::clamp(static_cast<int>(std::ceil(across * size / sensor.diameter)), 2, 400))
+        .each([&](const Point& reference, const Point& deformed, double own, double pressure) {
           if ((reference - row.at).norm() > radius) return;
-          const double share = std::min(1.0, coverage / wholly_covered);
-          area += own, covered += own * share, force += own * share * pressure, middle += own * deformed;
+          area += own, middle += own * deformed;
+          if (cloth.covers(deformed)) covered += own, force += own * pressure;
         });
   }
   if (area == 0.0) return row;
-  row.coverage = covered / area, row.skin_pressure = force / area;
+  row.coverage = covered / area;
+  const std::optional<double> of_cloth = pressure_of_cloth(row.at, radius, run);
+  row.skin_pressure = of_cloth ? row.coverage * *of_cloth : force / area;
   row.tension = tension_over(middle / area, radius, run.garment);
   if (sensor.bulge && std::isfinite(row.tension))
     row.bulge = row.coverage * bulge_pressure(row.tension, sensor.thickness, sensor.diameter, model.deformable() ? softest_shear_modulus(model) : std::numeric_limits<double>::infinity());

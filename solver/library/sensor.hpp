@@ -13,7 +13,8 @@ namespace snug::solver {
 std::vector<Eigen::Vector3d> sensor_places(const std::vector<input::SensorSpec>& sensors, const input::Case& asked, const mesh::BodyMesh& body);
 
 /// One row a sensor of the case: normal force on the skin within a disc about its middle, over the area of the disc (both of the deformed skin; the
-/// disc is measured on the undeformed one). With `bulge` what a sensor of that thickness adds by the law of Laplace, see bulge_pressure.
+/// disc is measured on the undeformed one). `coverage` is the share of the disc that lies under cloth; the force is that share times the mean pressure
+/// of the contact's points in the disc, so that what is bare counts as 0 and even cloth reads its pressure whatever the meshes. With `bulge` what a sensor of that thickness adds by the law of Laplace, see bulge_pressure.
 /// Throws input::InputError where a sensor's place is not on the skin.
 std::vector<postproc::SensorRow> sensor_rows(const std::vector<input::SensorSpec>& sensors, const Model& model, const Meshes& meshes, const postproc::RunResult& run);
 

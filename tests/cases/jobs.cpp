@@ -1,8 +1,11 @@
 // The daily jobs through the program: sizes for pressures, classes, sensors, several runs at a time, sweeps, and comfort at the extremes.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "tests/cases/program.hpp"
 
@@ -158,6 +161,29 @@ TEST_F(JobsProgram, ASensorOnAnEvenPressureReadsIt) {
   const Outcome off = snug("run tube --set 'sensor={ name = \"a\", height = \"95 mm\", angle = \"0 deg\", diameter = \"20 mm\" }'");
   EXPECT_EQ(off.status, 2);
   EXPECT_THAT(off.text, HasSubstr("is not on the skin"));
+}
+
+TEST_F(JobsProgram, ASensorUnderTheHemReadsTheShareThatIsCovered) {
+  // A sleeve of 40 mm, kept as long as it is, on a rigid tube presses evenly with T / R: of linear cloth with 1000 N/m, made for 44 mm and stretched to 55 mm, that is
+  // 1.25 (1.25^2 - 1) / 2 * 1000 / 0.055 Pa. A disc of radius r whose middle is d below the hem has the share 1 - (acos(d/r) - d/r sqrt(1 - (d/r)^2)) / pi under
+  // cloth and reads that share of it.
+  fs::copy(fs::path(SNUG_SOURCE_DIR) / "cases/verification/tube-sleeve", folder_ / "tube", fs::copy_options::recursive);
+  const double even = 1.25 * (1.25 * 1.25 - 1.0) / 2.0 * 1000.0 / 0.055, radius = 0.006;
+  std::string sensors;
+  std::vector<double> shares;
+  for (const double d : {0.863, -0.158, 0.0}) {
+    shares.push_back(1.0 - (std::acos(d) - d * std::sqrt(1.0 - d * d)) / std::numbers::pi);
+    sensors += fmt::format("{}{{ name = \"{}\", height = \"{} mm\", angle = \"97 deg\", diameter = \"{} mm\" }}", sensors.empty() ? "" : ", ", shares.size(), 40.0 - 1e3 * radius * d, 2e3 * radius);
+  }
+  const Outcome outcome = snug("run tube --tier L1 --no-report --set 'garment.pattern.length=40 mm' --set 'sensor=[" + sensors + "]'");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const json rows = read_json("tube/out/summary.json").at("sensors");
+  EXPECT_NEAR(shares[0], 0.97, 0.001);
+  EXPECT_NEAR(shares[1], 0.40, 0.001);
+  for (std::size_t n = 0; n < shares.size(); ++n) {
+    EXPECT_NEAR(rows[n].at("coverage").get<double>(), shares[n], 0.005) << rows[n];
+    EXPECT_NEAR(rows[n].at("skin_pressure_Pa").get<double>(), shares[n] * even, 0.01 * even) << rows[n];
+  }
 }
 
 TEST_F(JobsProgram, MisspeltCommandsAndOptionsAreTold) {

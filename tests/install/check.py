@@ -48,6 +48,14 @@ def program_finds_its_data(prefix, folder):
     expect((prefix / "share/snug/scripts/picture.py").is_file(), "what draws pictures is installed")
 
 
+def manual_is_installed(prefix):
+    """The manual page and the completions of three shells are where these look for them, and are of this program."""
+    for name, part in (("man/man1/snug.1", ".SH COMMANDS"), ("bash-completion/completions/snug", "complete -F _snug snug"),
+                       ("zsh/vendor-completions/_snug", "#compdef snug"), ("fish/vendor_completions.d/snug.fish", "complete -c snug")):
+        text = (prefix / "share" / name).read_text()
+        expect(part in text and "sweep" in text, f"{name} has \"{part}\" and the options of snug run")
+
+
 def library_solves(prefix, source, folder, cmake, compiler):
     """A program of others solves a case and reads a field: the exact mean pressure within a thousandth."""
     build = folder / "program"
@@ -74,6 +82,7 @@ def main(build, source, cmake, compiler):
         prefix = (folder / "first").rename(folder / "moved")  # nothing depends on where it was installed
         names_no_place(prefix, [os.path.realpath(source), os.path.realpath(build)])
         program_finds_its_data(prefix, folder)
+        manual_is_installed(prefix)
         other_alignment_is_refused(prefix, compiler)
         library_solves(prefix, source, folder, cmake, compiler)
 

@@ -139,8 +139,18 @@ std::string ended_text(const Job& job) {
   return text + "\n";
 }
 
+postproc::Json jobs_json(const std::vector<Job>& jobs) {
+  postproc::Json json = postproc::Json::array();
+  for (const Job& job : jobs) {
+    json.push_back({{"name", job.name}, {"directory", job.directory}, {"set", job.set}, {"exit_status", job.started ? postproc::Json(job.outcome.status) : postproc::Json()}, {"said", last_lines(job.outcome.output)},
+                    {"out", job.out.string()}, {"summary", nullptr}});
+    if (job.has_results()) json.back()["summary"] = postproc::Json::parse(input::read_file(job.out / postproc::summary_file));
+  }
+  return json;
+}
+
 /// Runs them, some at a time, in their order.
-void run_jobs(std::vector<Job>& jobs, const BatchRequest& request, int at_once) {
+void run_jobs(std::vector<Job>& jobs, const BatchRequest& request, int at_once, Console& console) {
   std::atomic<std::size_t> next = 0;
   std::mutex speaking;
   const auto work = [&] {
@@ -150,8 +160,8 @@ void run_jobs(std::vector<Job>& jobs, const BatchRequest& request, int at_once) 
       job.outcome = run_child(command_line(job, request, at_once > 1), fs::current_path());
       const std::scoped_lock lock(speaking);
       const bool fine = job.outcome.status == done;
-      if (!request.quiet || !fine) fmt::print(fine ? stdout : stderr, "{}", ended_text(job));
-      std::fflush(stdout);
+      if (!fine) console.error(ended_text(job));
+      else if (!request.quiet) console.say(ended_text(job));
     }
   };
   std::vector<std::thread> workers;
@@ -187,16 +197,18 @@ fs::path page_folder(const BatchRequest& request) {
   return request.directories.size() == 1 ? fs::path(request.directories.front()) / "out" : fs::path(".");
 }
 
-void write_pages(const std::vector<Job>& jobs, const BatchRequest& request, const std::vector<Sweep>& sweeps) {
+void write_pages(const std::vector<Job>& jobs, const BatchRequest& request, const std::vector<Sweep>& sweeps, Console& console) {
   const postproc::report::Comparison comparison = comparison_of(jobs, sweeps);
   if (comparison.runs.empty()) return;
   const fs::path folder = page_folder(request);
   make_folder(folder);
   write_page(postproc::report::comparison_page(comparison), folder / "compare.html");
-  if (!request.quiet) fmt::print("side by side: {}\n", (folder / "compare.html").string());
+  console.document()["page"] = (folder / "compare.html").string();
+  if (!request.quiet) console.print("side by side: {}\n", (folder / "compare.html").string());
   if (sweeps.empty()) return;
   write_page(postproc::report::comparison_table(comparison), folder / "sweep.csv");
-  if (!request.quiet) fmt::print("as a table: {}\n", (folder / "sweep.csv").string());
+  console.document()["table"] = (folder / "sweep.csv").string();
+  if (!request.quiet) console.print("as a table: {}\n", (folder / "sweep.csv").string());
 }
 
 }  // namespace
@@ -213,7 +225,7 @@ bool BatchRequest::varies() const {
   return std::any_of(directories.begin(), directories.end(), has_variants);
 }
 
-int run_batch(const BatchRequest& request) {
+int run_batch(const BatchRequest& request, Console& console) {
   std::vector<Sweep> sweeps;
   for (const std::string& text : request.sweeps) sweeps.push_back(sweep_of(text));
   if (!sweeps.empty() && !request.variants.empty()) throw input::InputError({"--variant", 0, 0}, "a sweep and variants are asked for", "leave one out");
@@ -222,10 +234,11 @@ int run_batch(const BatchRequest& request) {
   for (const Job& job : jobs) make_folder(fs::absolute(job.out).parent_path());
   const int at_once = std::clamp(request.jobs > 0 ? request.jobs : cores, 1, static_cast<int>(jobs.size()));
   ::setenv("OPENBLAS_NUM_THREADS", std::to_string(std::max(1, cores / at_once)).c_str(), 0);
-  if (!request.quiet) fmt::print("{} run{}, {} at a time\n", jobs.size(), jobs.size() == 1 ? "" : "s", at_once), std::fflush(stdout);
+  if (!request.quiet) console.print("{} run{}, {} at a time\n", jobs.size(), jobs.size() == 1 ? "" : "s", at_once);
   const StopSignals signals(false);
-  run_jobs(jobs, request, at_once);
-  if (request.page) write_pages(jobs, request, sweeps);
+  run_jobs(jobs, request, at_once, console);
+  console.document()["runs"] = jobs_json(jobs);
+  if (request.page) write_pages(jobs, request, sweeps, console);
   int status = done;
   for (const Job& job : jobs) status = std::max(status, job.started ? job.outcome.status : 0);
   return StopSignals::received() ? 128 + StopSignals::received() : status;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/app/case_options.hpp"
+#include "solver/app/console.hpp"
 
 namespace snug::app {
 
@@ -29,6 +30,6 @@ struct BatchRequest {
 
 /// Runs them and prints a line each; one that fails stops no other. Writes compare.html, of a sweep sweep.csv too. The exit status is the largest of
 /// theirs. Throws input::InputError where the request itself is wrong.
-int run_batch(const BatchRequest& request);
+int run_batch(const BatchRequest& request, Console& console);
 
 }  // namespace snug::app

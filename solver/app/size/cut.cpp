@@ -8,6 +8,7 @@
 
 #include "postproc/units.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/progress.hpp"
 #include "solver/library/graduated.hpp"
 
@@ -156,7 +157,7 @@ bool CourseCut::learn(const PreparedCase& prepared, const postproc::RunResult& r
   return largest_error(rows) <= within;
 }
 
-FoundCut search_cut(const std::string& directory, const CaseOptions& options, Cut& cut, int rounds, double within, const Cleaner& cleaner) {
+FoundCut search_cut(const std::string& directory, const CaseOptions& options, Cut& cut, int rounds, double within, const Cleaner& cleaner, Console& console) {
   FoundCut best;
   double least = std::numeric_limits<double>::max();
   std::unique_ptr<Scratch> scratch;
@@ -167,17 +168,17 @@ FoundCut search_cut(const std::string& directory, const CaseOptions& options, Cu
     const auto prepared = std::make_shared<PreparedCase>(prepare(directory, now));
     if (!session) scratch = prepare_for_mpi(cleaner), session = std::make_unique<SolverSession>();
     const postproc::RunResult run = [&] {
-      ProgressLine line(false);
+      ProgressLine line(console, false);
       return solver::solve(*prepared, [&](const solver::Progress& progress) { line.show(progress); });
     }();
     if (run.status != postproc::Status::converged) {
-      fmt::print(stderr, "{}: error: solution {} ({}) does not converge: {}\n", (fs::path(directory) / "case.toml").string(), round, cut.text(*prepared), run.message);
+      console.error(fmt::format("{}: error: solution {} ({}) does not converge: {}", (fs::path(directory) / "case.toml").string(), round, cut.text(*prepared), run.message));
       best.status = not_converged;
       break;
     }
     const std::vector<postproc::TargetRow> rows = cut.compare(*prepared, run);
-    fmt::print("{}", round_text(round, run.tier, cut.text(*prepared), rows));
-    std::fflush(stdout);
+    console.say(round_text(round, run.tier, cut.text(*prepared), rows));
+    console.document()["solutions"].push_back({{"tier", run.tier}, {"cut", cut.text(*prepared)}, {"targets", targets_json(rows)}});
     if (const double sum = squares(rows); sum < least || largest_error(rows) <= within) {
       least = sum;
       best.settings = cut.settings(*prepared), best.rows = rows, best.error = largest_error(rows), best.prepared = prepared, best.warnings = run.warnings;

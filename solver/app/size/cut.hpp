@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/app/console.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/solver_session.hpp"
 #include "solver/library/size_search.hpp"
@@ -95,6 +96,6 @@ struct FoundCut {
 };
 
 /// Solves with one cut after the other, `rounds` times at most, and prints each; the best one is what is found.
-FoundCut search_cut(const std::string& directory, const CaseOptions& options, Cut& cut, int rounds, double within, const Cleaner& cleaner);
+FoundCut search_cut(const std::string& directory, const CaseOptions& options, Cut& cut, int rounds, double within, const Cleaner& cleaner, Console& console);
 
 }  // namespace snug::app

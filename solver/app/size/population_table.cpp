@@ -116,6 +116,23 @@ std::string sizes_text(const std::vector<solver::SizeRow>& rows) {
   return text + fmt::format("  {:>4} {:>8} {:>10} {:>16} {:>16} {:>7.1f} {:>8.1f}\n", "all", "", "", "", "", 100.0 * worn, 100.0 * inside);
 }
 
+Json girths_json(const std::vector<solver::Wearer>& wearers, const solver::WornPressure& place) {
+  Json json = Json::array();
+  for (const int percent : {5, 25, 50, 75, 95}) {
+    const double girth = solver::girth_below(wearers, 0.01 * percent);
+    json.push_back({{"percentile", percent}, {"girth_m", girth}, {"ease", place.garment_girth(1.0) / girth - 1.0}, {"pressure_Pa", place.at(girth, 1.0)}});
+  }
+  return json;
+}
+
+Json sizes_json(const std::vector<solver::SizeRow>& rows) {
+  Json json = Json::array();
+  for (const solver::SizeRow& row : rows)
+    json.push_back({{"factor", row.size}, {"garment_girth_m", row.garment_girth}, {"from_girth_m", row.from_girth}, {"to_girth_m", row.to_girth}, {"from_ease", row.from_ease},
+                    {"to_ease", row.to_ease}, {"worn_share", row.worn}, {"inside_share", row.inside}});
+  return json;
+}
+
 std::string sizes_csv(const std::vector<solver::SizeRow>& rows) {
   std::string text = "size,factor,garment_girth [mm],wearers_from [mm],wearers_to [mm],ease_from [%],ease_to [%],worn_share,inside_share\n";
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -153,7 +170,7 @@ PopulationAnswer population_answer(const PopulationQuestion& question, const Fou
   text += fmt::format("  the cut that was found, on girths at {}:\n", places.names.front()) + girths_text(wearers, worn.front());
   const std::vector<solver::SizeRow> rows = solver::size_table(wearers, worn, places.wanted, ranges, question.sizes);
   text += fmt::format("  {} sizes, girths at {}; everybody takes the one that comes nearest:\n", question.sizes, places.names.front()) + sizes_text(rows);
-  return {text, sizes_csv(rows)};
+  return {text, sizes_csv(rows), {{"percentiles", girths_json(wearers, worn.front())}, {"sizes", sizes_json(rows)}}};
 }
 
 }  // namespace snug::app

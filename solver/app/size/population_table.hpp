@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "postproc/comfort/sensation.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/size/cut.hpp"
 #include "solver/library/population.hpp"
 
@@ -25,6 +26,7 @@ struct PopulationQuestion {
 struct PopulationAnswer {
   std::string text;  ///< for the terminal
   std::string csv;   ///< sizes.csv
+  Json document = {};  ///< for --json
 };
 
 /// Sizes for a population after a cut was found. Throws input::InputError where girths, distribution or classes cannot be read.

@@ -13,6 +13,7 @@
 #include "solver/app/case_copy.hpp"
 #include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/size/cut.hpp"
 #include "solver/app/size/population_table.hpp"
 
@@ -126,7 +127,7 @@ class Size : public Command {
     designed_garment(description);
     const Cleaner cleaner;
     CourseCut cut;
-    const FoundCut found = search_cut(directory_, options_, cut, solves_, 0.01 * within_, cleaner);
+    const FoundCut found = search_cut(directory_, options_, cut, solves_, 0.01 * within_, cleaner, console());
     return found.settings.empty() ? found.status : finish(found, "");
   }
 
@@ -134,18 +135,22 @@ class Size : public Command {
     CaseOptions options = options_;
     if (!targets_.empty()) options.overrides.push_back("target={ pressures = " + wanted_table(targets_, description) + " }");
     const PreparedCase prepared = prepare(directory_, options);
-    for (const input::Diagnostic& warning : prepared.warnings) fmt::print(stderr, "{}\n", input::warning_text(warning));
+    for (const input::Diagnostic& warning : prepared.warnings) console().warn(warning);
     const Cleaner cleaner;
     ScaledCut cut(prepared, garment);
     check_population(question_, prepared, garment);
-    fmt::print("{}\nlaw of Laplace, L0: {}\n", prepared.description.title, cut.text(prepared));
-    for (std::size_t i = 0; i < cut.table().places(); ++i)
-      fmt::print("  {:<24} {:>8.0f} Pa {:>7.2f} mmHg\n", place(prepared, i), cut.predicted(i), postproc::to_mmHg(cut.predicted(i)));
+    console().print("{}\nlaw of Laplace, L0: {}\n", prepared.description.title, cut.text(prepared));
+    for (std::size_t i = 0; i < cut.table().places(); ++i) {
+      console().print("  {:<24} {:>8.0f} Pa {:>7.2f} mmHg\n", place(prepared, i), cut.predicted(i), postproc::to_mmHg(cut.predicted(i)));
+      console().document()["law_of_Laplace"].push_back({{"place", place(prepared, i)}, {"pressure_Pa", cut.predicted(i)}});
+    }
     if (!cut.within_reach()) return out_of_reach(prepared, cut);
-    const FoundCut found = search_cut(directory_, options, cut, solves_, 0.01 * within_, cleaner);
+    const FoundCut found = search_cut(directory_, options, cut, solves_, 0.01 * within_, cleaner, console());
     if (found.settings.empty()) return found.status;
     const PopulationAnswer population = question_.asked() ? population_answer(question_, found, garment) : PopulationAnswer{};
-    fmt::print("\n{}{}", ease_text(found, garment), population.text);
+    console().print("\n{}{}", ease_text(found, garment), population.text);
+    add_ease(found, garment);
+    if (question_.asked()) console().document()["population"] = population.document;
     return finish(found, population.csv);
   }
 
@@ -154,13 +159,12 @@ class Size : public Command {
     return wanted.location.empty() ? fmt::format("{:.4g} mm", 1e3 * *wanted.height) : wanted.location;
   }
 
-  static int out_of_reach(const PreparedCase& prepared, const ScaledCut& cut) {
+  int out_of_reach(const PreparedCase& prepared, const ScaledCut& cut) const {
     std::string ends;
     for (std::size_t i = 0; i < cut.table().places(); ++i)
       ends += fmt::format("{}{} from {:.0f} to {:.0f} Pa", i ? ", " : "", place(prepared, i), cut.table().at(i, cut.table().largest()), cut.table().at(i, cut.table().smallest()));
-    std::fflush(stdout);
-    fmt::print(stderr, "{}: error: what is wanted is not within reach of this fabric: by the law of Laplace it presses at {}, from slack to 2.9 times its length; take a stiffer or a softer one\n",
-               (prepared.description.directory / "case.toml").string(), ends);
+    console().error(fmt::format("{}: error: what is wanted is not within reach of this fabric: by the law of Laplace it presses at {}, from slack to 2.9 times its length; take a stiffer or a softer one",
+                                (prepared.description.directory / "case.toml").string(), ends));
     return outside_tolerance;
   }
 
@@ -176,6 +180,15 @@ class Size : public Command {
     return text;
   }
 
+  void add_ease(const FoundCut& found, int garment) const {
+    const PreparedCase& prepared = *found.prepared;
+    const solver::LaplaceTable table(prepared, garment, *prepared.jobs.target);
+    for (std::size_t i = 0; i < table.places(); ++i) {
+      const double body = prepared.meshes.limb.girth(table.height(i)), own = prepared.meshes.garments[garment].fit.at(table.height(i)).girth;
+      console().document()["ease"].push_back({{"place", place(prepared, i)}, {"body_girth_m", body}, {"garment_girth_m", own}, {"ease", own / body - 1.0}});
+    }
+  }
+
   /// Writes the case and says what was found.
   int finish(const FoundCut& found, const std::string& sizes_csv) {
     const fs::path to = out_.empty() ? free_name(directory_) : fs::path(out_);
@@ -184,7 +197,10 @@ class Size : public Command {
       if (!sizes_csv.empty()) input::write_file(copy / "sizes.csv", sizes_csv);
     });
     const bool met = found.error <= 0.01 * within_, several = found.rows.size() > 1;
-    fmt::print("{} is the case cut so{}, within {:.2f} % of what is wanted{}. Next: snug run {}\n", to.string(), sizes_csv.empty() ? "" : " with sizes.csv", 100.0 * found.error,
+    Json& told = console().document();
+    told["targets"] = targets_json(found.rows), told["error"] = found.error, told["met"] = met, told["case"] = to.string();
+    for (const Setting& setting : found.settings) told["settings"].push_back({{"key", setting.path}, {"toml", setting.literal}});
+    console().print("{} is the case cut so{}, within {:.2f} % of what is wanted{}. Next: snug run {}\n", to.string(), sizes_csv.empty() ? "" : " with sizes.csv", 100.0 * found.error,
                met ? "" : several && found.settled ? " (in least squares; no one factor meets all)" : "", to.string());
     if (found.status != done) return found.status;
     return met || (several && found.settled) ? done : outside_tolerance;

@@ -3,10 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 
 #include "solver/app/cleaner.hpp"
 #include "solver/app/command.hpp"
+#include "solver/app/documents.hpp"
 #include "solver/app/output_directory.hpp"
 #include "solver/app/prepared_case.hpp"
 #include "solver/app/print_plan.hpp"
@@ -20,12 +20,6 @@ namespace snug::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-template <class... Args>
-void say(fmt::format_string<Args...> text, Args&&... args) {
-  fmt::print(text, std::forward<Args>(args)...);
-  std::fflush(stdout);
-}
 
 class Study : public Command {
  public:
@@ -67,7 +61,8 @@ class Study : public Command {
     rows.insert(rows.end(), beside.begin(), beside.end());
     write(rows, description, yardstick, work);
     out.commit();
-    say("files in {}: study.md, study.csv, study.gp\n", out.target().string());
+    console().document() = {{"out", out.target().string()}, {"against", yardstick.kind}, {"source", yardstick.source}, {"rows", rows_document(rows)}, {"notes", notes_}};
+    console().print("files in {}: study.md, study.csv, study.gp\n", out.target().string());
     return std::any_of(rows.begin(), rows.end(), [](const StudyRow& r) { return r.converged(); }) ? done
                                                                                                   : not_converged;
   }
@@ -122,17 +117,28 @@ class Study : public Command {
                                            unknowns - 1, duration_text(expected));
       if (expected > limit_) {
         notes_.push_back(fmt::format("not run: {}, more than --limit {:g}", what, limit_));
-        return say("{}\n", notes_.back());
+        return console().print("{}\n", notes_.back());
       }
-      say("{}\n", what);
+      console().print("{}\n", what);
       rows.push_back(measure(directory_, options, work));
       StudyRow& row = rows.back();
       row.series = series.name, row.level = level.name;
       row.settings = fmt::format("{}", fmt::join(options.overrides, " "));
       earlier.push_back({unknowns, row.wall});
-      say("  {}: {:.2f} s, {:.2f} s of processor, {}, mean pressure {:.6g} Pa\n", row.status, row.wall,
+      console().print("  {}: {:.2f} s, {:.2f} s of processor, {}, mean pressure {:.6g} Pa\n", row.status, row.wall,
           row.user + row.system, memory_text(row.memory), row.mean_pressure);
     }
+  }
+
+  /// NaN, what is not known, becomes null.
+  static Json rows_document(const std::vector<StudyRow>& rows) {
+    Json json = Json::array();
+    for (const StudyRow& row : rows)
+      json.push_back({{"series", row.series}, {"level", row.level}, {"settings", row.settings}, {"status", row.status}, {"unknowns", row.unknowns}, {"iterations", row.iterations},
+                      {"wall_s", row.wall}, {"processor_s", row.user + row.system}, {"memory_bytes", row.memory}, {"mean_pressure_Pa", row.mean_pressure},
+                      {"error_of_mean_pressure", row.errors.mean_pressure}, {"error_of_pressure_rms", row.errors.pressure_rms}, {"error_of_pressure_max", row.errors.pressure_max},
+                      {"error_of_displacement_rms", row.errors.displacement_rms}});
+    return json;
   }
 
   void write(const std::vector<StudyRow>& rows, const input::Case& description, const Yardstick& yardstick,
@@ -146,11 +152,9 @@ class Study : public Command {
     const ChildOutcome drawn = run_child({"gnuplot", "study.gp"}, folder);
     if (drawn.status != 0) fs::remove(folder / "study.svg");  // no half a picture
     if (drawn.status == 127)
-      fmt::print(stderr,
-                 "snug study: warning: gnuplot is not there, so that study.svg is not drawn; scripts/setup "
-                 "installs it (gnuplot-nox), then run gnuplot study.gp beside the tables\n");
+      console().warn("snug study: warning: gnuplot is not there, so that study.svg is not drawn; scripts/setup installs it (gnuplot-nox), then run gnuplot study.gp beside the tables");
     else if (drawn.status != 0)
-      fmt::print(stderr, "snug study: warning: gnuplot failed on study.gp: {}\n", drawn.output);
+      console().warn(fmt::format("snug study: warning: gnuplot failed on study.gp: {}", drawn.output));
   }
 
   std::string directory_, against_, beside_, out_;

@@ -179,6 +179,11 @@ TEST_F(CaseDirectory, PathsStayInTheDirectory) {
   EXPECT_TRUE(has(errors_of(with((directory_ / "other.csv").string())), "3:12: error: ", "outside the case directory"));
   EXPECT_TRUE(errors_of(with("../other.csv"), {.overrides = {}, .allow_outside = true}).empty());
   EXPECT_TRUE(has(errors_of(with("lmib.csv")), "3:12: error: there is no file", "did you mean \"limb.csv\"?"));
+  // A path of Windows: what to write where the file is there, else where to put it.
+  std::filesystem::create_directories(directory_ / "case" / "körper teil");
+  std::filesystem::copy_file(directory_ / "case" / "limb.csv", directory_ / "case" / "körper teil" / "limb.csv");
+  EXPECT_TRUE(has(errors_of(with("körper teil\\\\limb.csv")), "3:12: error: ", "is a path of Windows; write \"körper teil/limb.csv\""));
+  EXPECT_TRUE(has(errors_of(with("C:\\\\Users\\\\Jörg\\\\limb.csv")), "3:12: error: ", "is a path of Windows; copy the file into the case directory"));
 }
 
 TEST_F(CaseDirectory, OverridesPassTheSameReader) {

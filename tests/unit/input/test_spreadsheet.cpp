@@ -104,6 +104,32 @@ TEST(Spreadsheet, WhatStandsBesideTheTableIsSaidWithItsRow) {
   EXPECT_EQ(sheet.diagnostics.errors()[0].where.line, 4);
 }
 
+TEST(Spreadsheet, ATitleAboveTheTableIsPassedOver) {
+  // The name of the patient in one cell over all columns, merged or not, in a workbook and in the text that is saved of it.
+  const auto text = [](const std::string& cell, const std::string& what) { return "<c r=\"" + cell + "\" t=\"inlineStr\"><is><t>" + what + "</t></is></c>"; };
+  const Read sheet = read(workbook("<row r=\"1\">" + text("A1", "Patient 17, left leg") + "</row><row r=\"2\">" + text("A2", "height [cm]") + text("B2", "girth [cm]") +
+                                   "</row><row r=\"3\"><c r=\"A3\"><v>10</v></c><c r=\"B3\"><v>26</v></c></row>"));
+  const Read saved = read("Patient 17, left leg;;\r\nheight [cm];girth [cm];\r\n10;26;\r\n");
+  for (const Read* one : {&sheet, &saved}) {
+    EXPECT_EQ(faults(*one), "");
+    Diagnostics diagnostics;
+    EXPECT_THAT(numbers(one->csv, "girth", "m", diagnostics), ElementsAre(0.26));
+  }
+}
+
+TEST(Spreadsheet, UnitsInARowBelowTheHeadAreTaken) {
+  // Where the head has no unit and all cells below it are units; a row of texts that are none is a row, and units of the head are not replaced.
+  for (const std::string units : {"cm;cm", "[cm];[cm]", "(cm);(cm)"}) {
+    const Read table = read("height;girth\n" + units + "\n10;26,5\n");
+    EXPECT_EQ(faults(table), "");
+    Diagnostics diagnostics;
+    EXPECT_THAT(numbers(table.csv, "girth", "m", diagnostics), ElementsAre(0.265));
+    EXPECT_THAT(numbers(table.csv, "height", "m", diagnostics), ElementsAre(0.1));
+  }
+  EXPECT_EQ(read("location;girth\nAnkle;22\n").csv.rows.size(), 1u);
+  EXPECT_EQ(read("height [m];girth [mm]\ncm;cm\n").csv.rows.size(), 1u);
+}
+
 TEST(Spreadsheet, WhatIsNoSuchWorkbookIsRefused) {
   const std::string whole = workbook(head);
   EXPECT_THAT(faults(read(zip_of({{"content.xml", "<office/>"}, {"mimetype", "application/vnd.oasis.opendocument.spreadsheet"}}))), HasSubstr("nor an .xlsx workbook | save its sheet as .xlsx"));
