@@ -18,6 +18,7 @@ bool has_stress(const Record& record) { return record.run.body.fields.has(field:
 bool has_displacement(const Record& record) { return record.run.body.fields.has(field::displacement); }
 bool has_garment(const Record& record) { return record.stored.garment_grid.has_value(); }
 bool has_locations(const Record& record) { return !record.evaluation.locations.empty(); }
+bool has_tool(const Record& record) { return !record.run.tools.empty(); }
 bool has_comfort(const Record& record) { return judges(record.evaluation); }
 
 /// Writes the file whole with what `fill` puts into a stream.
@@ -57,6 +58,9 @@ void comfort(const Record& record, const Path& file) {
 void history(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_history(out, record.run); });
 }
+void tools(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_tools(out, record.run); });
+}
 void summary(const Record& record, const Path& file) {
   input::write_file(file, text_of(record.stored.summary));
 }
@@ -78,7 +82,7 @@ const std::vector<Recorder>& recorders() {
       {"stress.lis", has_stress, stresses},     {"locations.csv", has_locations, locations},
       {skin_file, has_skin, skin},
       {comfort_file, has_comfort, comfort},   {history_file, always, history},
-      {summary_file, always, summary},
+      {"tool.csv", has_tool, tools},           {summary_file, always, summary},
   };
   return list;
 }

@@ -166,6 +166,32 @@ struct SurfaceContact {
   double mean_pressure() const { return area > 0.0 ? force / area : 0.0; }  ///< Pa, over the touching part
 };
 
+/// A rigid tool somewhere on its way.
+struct ToolRow {
+  double travel = 0.0;            ///< m, since its start
+  double depth = 0.0;             ///< m, since it first touched (the surface at rest); 0 before
+  double force = 0.0;             ///< N, what moves it on along its direction
+  double across = 0.0;            ///< N, what else keeps it on its line, amount
+  double area = 0.0;              ///< m2, of the surface as it is now, where it touches
+  double largest_pressure = 0.0;  ///< Pa, at a vertex of the surface, per its area now
+  double friction_force = 0.0;    ///< N, sum of the tangential point forces
+};
+
+/// A rigid tool that was moved into a surface of the body.
+struct ToolResult {
+  std::string name, surface, shape;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit vector
+  Eigen::Vector3d tip = Eigen::Vector3d::Zero();        ///< m, at its start
+  Eigen::Vector3d reaction = Eigen::Vector3d::Zero();   ///< N, of the body on the tool, at the end
+  std::vector<ToolRow> history;   ///< converged states of the way, the last one is what the result shows
+
+  const ToolRow& end() const { return history.back(); }
+  double mean_pressure() const { return !history.empty() && end().area > 0.0 ? end().force / end().area : 0.0; }  ///< Pa
+  /// N/m: force over depth at the end, and the slope of the force between the last two states of the way. NaN where there is none.
+  double stiffness() const;
+  double slope() const;
+};
+
 struct Phase {
   std::string name;
   double seconds = 0.0;
@@ -239,6 +265,7 @@ struct RunResult {
   int increments = 0, iterations = 0;
   double mean_laplace_pressure = 0.0;     ///< Pa, L0 sanity value over the covered skin
   std::map<std::string, double> numbers;  ///< further named values for expected.toml ("mean_contact_pressure_Pa", ...)
+  std::vector<ToolResult> tools;
 };
 
 }  // namespace snug::postproc

@@ -59,6 +59,28 @@ Json surface_contacts_json(const RunResult& run) {
   return json;
 }
 
+Json tools_json(const RunResult& run) {
+  Json json = Json::array();
+  for (const ToolResult& tool : run.tools)
+    json.push_back({{"name", tool.name},
+                    {"shape", tool.shape},
+                    {"surface", tool.surface},
+                    {"direction", vector_json(tool.direction)},
+                    {"start_m", vector_json(tool.tip)},
+                    {"travel_m", tool.end().travel},
+                    {"depth_m", tool.end().depth},
+                    {"force_N", tool.end().force},
+                    {"across_N", tool.end().across},
+                    {"reaction_N", vector_json(tool.reaction)},
+                    {"stiffness_N_per_m", tool.stiffness()},
+                    {"slope_N_per_m", tool.slope()},
+                    {"contact_area_m2", tool.end().area},
+                    {"mean_pressure_Pa", tool.mean_pressure()},
+                    {"largest_pressure_Pa", tool.end().largest_pressure},
+                    {"friction_force_N", tool.end().friction_force}});
+  return json;
+}
+
 Json hems_json(const RunResult& run) {
   Json json = Json::array();
   for (const Hem& hem : run.hems)
@@ -230,6 +252,7 @@ void add_outcome(Json& json, const RunResult& run) {
   if (!run.seams.empty()) json["seams"] = seams_json(run);
   if (!run.profile.empty()) json["pressure_profile"] = profile_json(run);
   if (!run.surface_contacts.empty()) json["surface_contacts"] = surface_contacts_json(run);
+  if (!run.tools.empty()) json["tools"] = tools_json(run);
   json["max_penetration_m"] = run.max_penetration;
   json["mean_laplace_pressure_Pa"] = run.mean_laplace_pressure;
   if (!run.donning.empty()) json["spread_over_donning_paths"] = donning_json(run);

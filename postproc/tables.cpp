@@ -95,6 +95,14 @@ void write_history(std::ostream& out, const RunResult& run) {
                csv_cell(row.event));
 }
 
+void write_tools(std::ostream& out, const RunResult& run) {
+  out << "tool,travel_m,depth_m,force_N,across_N,contact_area_m2,largest_pressure_Pa,friction_force_N\n";
+  for (const ToolResult& tool : run.tools)
+    for (const ToolRow& row : tool.history)
+      fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", csv_cell(tool.name), row.travel, row.depth, row.force, row.across, row.area,
+                 row.largest_pressure, row.friction_force);
+}
+
 Iteration as_recorded(const Iteration& row) {
   return {.increment = row.increment,
           .load = number_of(of_load(row.load)),

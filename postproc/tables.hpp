@@ -45,6 +45,8 @@ inline constexpr const char* history_head = "increment,load,iteration,residual,c
 Iteration as_recorded(const Iteration& row);
 void write_history(std::ostream& out, const RunResult& run);            ///< history.csv: one row a Newton iteration, without times: the same run gives the same bytes
 
+void write_tools(std::ostream& out, const RunResult& run);              ///< tool.csv: one row a converged state of the way of a tool
+
 /// `text` in quotes where a comma, quote or line end in it asks for them, and behind an apostrophe where a spreadsheet would
 /// take it for a formula (it begins with = + - @).
 std::string csv_cell(const std::string& text);

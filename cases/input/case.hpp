@@ -15,6 +15,7 @@
 #include "cases/input/material_entry.hpp"
 #include "cases/input/reference_spec.hpp"
 #include "cases/input/study_spec.hpp"
+#include "cases/input/tool_spec.hpp"
 
 namespace snug::input {
 
@@ -126,6 +127,7 @@ struct Case {
   SolverSpec solver;
   std::optional<ReferenceSpec> reference;
   std::optional<StudySpec> study;
+  std::vector<ToolSpec> tools;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -140,6 +142,7 @@ struct Case {
     field(Field{.key = "comfort", .meaning = "sensation by location and overall comfort"}, self.comfort);
     field(Field{.key = "load", .meaning = "loads on the body beside a garment"}, self.load);
     field(Field{.key = "support", .meaning = "surfaces of the body that are held or moved"}, self.support);
+    field(Field{.key = "tool", .meaning = "a rigid tool that is moved into the body; several as [[tool]]", .one_or_more = true}, self.tools);
     field(Field{.key = "solver", .meaning = "how much of the body is solved"}, self.solver);
     field(Field{.key = "reference", .meaning = "nodal tables that the result is compared with"}, self.reference);
     field(Field{.key = "study", .meaning = "what snug study compares: meshes, variants, exact answer"}, self.study);

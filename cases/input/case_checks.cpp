@@ -194,7 +194,7 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
     diagnostics.error(root.where_is(key), found, remedy);
   };
   const bool body = root.find("body"), garment = root.find("garment");
-  const bool load = root.find("load"), support = root.find("support");
+  const bool load = root.find("load"), support = root.find("support"), tool = root.find("tool");
   const bool solids = std::any_of(c.contacts.begin(), c.contacts.end(), [&](const auto& contact) { return between_solids(contact, c); });
   if (!body && !garment)
     error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
@@ -211,9 +211,10 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
           "add [garment] and [contact], or leave [comfort] out");
   if (load && !body) error("load", "there is a [load] but no [body]", "add [body] or leave [load] out");
   if (support && !body) error("support", "there is a [[support]] but no [body]", "add [body] or leave it out");
+  if (tool && !body) error("tool", "there is a [[tool]] but no [body]", "add [body] or leave it out");
   const Table* imported = root.table("body");  // a file of another program may bring its loads; without, that is said later
-  if (body && !garment && !load && !support && !(imported && imported->find("mesh")))
-    error("body", "nothing acts on the body", "add [garment] with [contact], [load], or a [[support]] that moves");
+  if (body && !garment && !load && !support && !tool && !(imported && imported->find("mesh")))
+    error("body", "nothing acts on the body", "add [garment] with [contact], [load], a [[support]] that moves, or a [[tool]]");
 }
 
 /// A garment lies on the skin or on one that is listed before it, whose triangles are quadratic.
@@ -275,6 +276,28 @@ void check_supports(const Case& c, Diagnostics& diagnostics) {
     if (support.turn != 0.0 && (!support.x || !support.y))
       diagnostics.error(support.where, fmt::format("\"{}\" is turned but x or y is free", support.on),
                         "add x = \"0 mm\" and y = \"0 mm\"");
+  }
+}
+
+void check_tools(const Case& c, Diagnostics& diagnostics) {
+  std::set<std::string> names = {"body", "garment", "contact", "bone", ""};  // of other parts of a scene
+  for (const SupportSpec& support : c.support) names.insert(support.on);
+  for (const GarmentSpec& garment : c.garments) names.insert(garment.name);
+  for (const ToolSpec& tool : c.tools) {
+    if (!names.insert(tool.name).second)
+      diagnostics.error(tool.where, fmt::format("a tool is called \"{}\", as something else is", tool.name), "give each tool a name of its own, e.g. name = \"probe\"");
+    if (tool.direction == std::array<double, 3>{0, 0, 0})
+      diagnostics.error(tool.where, fmt::format("the direction of \"{}\" is zero", tool.name), "say where it goes and faces, e.g. direction = [-1, 0, 0]");
+    if (tool.shape == ToolShape::disc && tool.edge_radius > tool.radius)
+      diagnostics.error(tool.where, fmt::format("the edge of \"{}\" is rounded by {:.4g} mm and the disc has a radius of {:.4g} mm", tool.name, 1e3 * tool.edge_radius, 1e3 * tool.radius),
+                        "let edge_radius be at most the radius (a ball: shape = \"sphere\")");
+    if (!c.garments.empty())
+      diagnostics.error(tool.where, fmt::format("\"{}\" meets the body, and the case has a garment on it", tool.name),
+                        "leave the garment or the tool out: a tool on a garment is not available");
+    if (c.solver.tier != Tier::L4)
+      diagnostics.error(tool.where, fmt::format("tier {} has a rigid body, into which \"{}\" cannot go", text_of(c.solver.tier), tool.name), "use tier L4 or leave the tool out");
+    if (c.solver.path == LoadPath::arc_length)
+      diagnostics.error(tool.where, "a tool that is moved needs no path = \"arc length\": its force may fall as it goes", "leave path out");
   }
 }
 
@@ -349,6 +372,7 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   check_contacts(description, diagnostics);
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
+  check_tools(description, diagnostics);
   check_tier(description, root, diagnostics);
   check_path(description, root, diagnostics);
   check_reference(description, root, diagnostics);

@@ -37,6 +37,19 @@ void add_hanging(const Json& numbers, double contact, auto add) {
 }
 
 /// Named values and how they are shown.
+/// What it takes to move tools.
+template <class Add>
+void add_tools(const Json& summary, const Add& add) {
+  const Json tools = summary.value("tools", Json::array());
+  for (const Json& tool : tools) {
+    const std::string of = tools.size() > 1 ? " (" + tool.value("name", "") + ")" : "";
+    add(("Force on the tool" + of).c_str(), value_at(tool, "force_N"), 1.0, "N", fmt::format("{} mm deep, {}", number(1e3 * value_at(tool, "depth_m")), tool.value("shape", "")));
+    add(("Stiffness" + of).c_str(), value_at(tool, "stiffness_N_per_m"), 1e-3, "N/mm", fmt::format("force over depth; {} N/mm at the end", number(1e-3 * value_at(tool, "slope_N_per_m"))));
+    add(("Contact area of the tool" + of).c_str(), value_at(tool, "contact_area_m2"), 1e4, "cm²", fmt::format("{} Pa in the mean", number(value_at(tool, "mean_pressure_Pa"))));
+    add(("Largest pressure under the tool" + of).c_str(), value_at(tool, "largest_pressure_Pa"), 1.0, "Pa", pressure_text(value_at(tool, "largest_pressure_Pa")));
+  }
+}
+
 Json figures_view(const Json& summary) {
   const Json numbers = summary.value("numbers", Json::object()), balance = summary.value("balance", Json::object());
   Json figures = Json::array();
@@ -51,9 +64,10 @@ Json figures_view(const Json& summary) {
   add("Largest displacement of the skin", value_at(numbers, "max_skin_displacement_m"), 1e3, "mm", "");
   add_hanging(numbers, contact, add);
   if (contact > 0.0 && !numbers.contains("hem_folds")) {
-    add("Contact force", contact, 1.0, "N", summary.contains("surface_contacts") ? "sum of the amounts over all contacts" : "sum of the amounts over the skin");
+    if (!summary.contains("tools")) add("Contact force", contact, 1.0, "N", summary.contains("surface_contacts") ? "sum of the amounts over all contacts" : "sum of the amounts over the skin");
     add("Contact area", value_at(numbers, "contact_area_m2"), 1e4, "cm²", "");
   }
+  add_tools(summary, add);
   const double friction = value_at(balance, "friction_force_N");
   if (friction > 0.0) {
     add("Friction force", friction, 1.0, "N", summary.contains("surface_contacts") ? "sum of the amounts over all contacts" : "sum of the amounts over the skin");
@@ -100,7 +114,7 @@ Json balance_view(const Json& summary) {
   add("Sum of all moments", number(length(balance.value("moment_error_Nm", Json::array()))) + " N m",
       "about the origin");
   if (contact > 0.0) {
-    add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
+    if (!summary.contains("tools")) add("Garment on skin", joined(balance.value("skin_force_N", Json::array()), contact) + " N", "x, y, z");
     add("Penetration", number(1e3 * value_at(summary, "max_penetration_m")) + " mm", "at most");
   }
   for (const Json& row : summary.value("bands", Json::array()))

@@ -66,6 +66,14 @@ std::string balance_text(const postproc::RunResult& run) {
   return text;
 }
 
+std::string tools_text(const postproc::RunResult& run) {
+  std::string text;
+  for (const postproc::ToolResult& tool : run.tools)
+    text += fmt::format("  {:<18} {:.4g} N at {:.4g} mm: {:.4g} N/mm ({:.4g} at the end); {:.4g} cm2, {:.4g} Pa in the mean, at most {:.4g} Pa ({})\n", tool.name, tool.end().force,
+                        1e3 * tool.end().depth, 1e-3 * tool.stiffness(), 1e-3 * tool.slope(), 1e4 * tool.end().area, tool.mean_pressure(), tool.end().largest_pressure, tool.shape);
+  return text;
+}
+
 std::string hems_text(const postproc::RunResult& run) {
   std::string text;
   for (const postproc::Hem& hem : run.hems)
@@ -212,7 +220,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, name_of(run.status),
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
-  text += locations_text(evaluation) + sensors_text(evaluation) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
+  text += locations_text(evaluation) + sensors_text(evaluation) + tools_text(run) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}{}\n", memory_text(run.peak_memory), memory_of_ranks(run));
   return text + fmt::format("  files              {}\n", out.string());
 }

@@ -7,6 +7,7 @@
 #include "solver/algebra/communicator.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/partition.hpp"
+#include "solver/scene/tools.hpp"
 #include "solver/terms/facet_kind.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
 #include "solver/terms/master_surface.hpp"
@@ -140,6 +141,8 @@ Layout make_layout(const Model& model, const Meshes& meshes, Skin skin) {
   if (deformable) add_positions(layout, "body", meshes.body);
   for (const mesh::GarmentMesh& garment : meshes.garments)
     layout.add({.name = garment.name, .count = static_cast<int>(garment.pattern.size()), .components = 3});
+  if (deformable)
+    for (const input::ToolSpec& tool : model.asked.tools) layout.add({.name = tip_field(tool), .count = 1, .components = 3});
   if (deformable) add_pressures(layout, "body", meshes.body);
   for (const ContactModel& contact : model.contacts) {
     if (contact.garment >= 0)
@@ -147,6 +150,9 @@ Layout make_layout(const Model& model, const Meshes& meshes, Skin skin) {
     else if (deformable)
       add_multipliers(layout, contact.name, surface_slave(layout["body"], meshes.body, slave_facets(meshes.body, contact)).vertices());
   }
+  if (deformable)
+    for (const input::ToolSpec& tool : model.asked.tools)
+      add_multipliers(layout, tool_pressures(tool), static_cast<int>(place_tool(meshes.body, tool).surface.node_of_vertex.size()));
   return layout;
 }
 

@@ -5,6 +5,7 @@
 #include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/scene/tools.hpp"
 #include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
 
@@ -105,8 +106,8 @@ void add_solid_contact(const Model& model, const ContactModel& contact, const me
 }
 
 // What is left free must be in balance before anything moves.
-void check_balance(const Scene& scene, const Meshes& meshes, const input::Location& where) {
-  State state = placed_state(scene.layout(), meshes);
+void check_balance(const Scene& scene, const Model& model, const Meshes& meshes, const input::Location& where) {
+  State state = placed_state(scene.layout(), model, meshes);
   state.load = 1.0;
   const Eigen::VectorXd load = scene.load_forces(state);
   const Field& body = scene.layout()["body"];
@@ -123,10 +124,11 @@ Scene make_scene(const Model& model, const Meshes& meshes, Skin skin, std::optio
   Numbering numbering = make_numbering(model, meshes, layout, supports);
   Scene scene(layout, std::move(numbering), std::move(supports));
   if (skin == Skin::deformable) add_body(model, meshes.body, scene);
-  if (!scene.supports().free_parts().empty()) check_balance(scene, meshes, model.asked.body->where);
+  if (!scene.supports().free_parts().empty()) check_balance(scene, model, meshes, model.asked.body->where);
   for (std::size_t g = 0; g < model.garments.size(); ++g) add_garment(model, static_cast<int>(g), meshes, skin, prestretch, scene);
   for (const ContactModel& contact : model.contacts)
     if (contact.garment < 0 && skin == Skin::deformable) add_solid_contact(model, contact, meshes.body, scene);
+  if (skin == Skin::deformable) add_tools(model, meshes.body, body_stiffness, scene);
   return scene;
 }
 
@@ -138,6 +140,13 @@ State placed_state(const Layout& layout, const Meshes& meshes) {
   };
   place(layout["body"], meshes.body.nodes);
   for (const mesh::GarmentMesh& garment : meshes.garments) place(layout[garment.name], garment.placed);
+  return state;
+}
+
+State placed_state(const Layout& layout, const Model& model, const Meshes& meshes) {
+  State state = placed_state(layout, meshes);
+  for (const input::ToolSpec& tool : model.asked.tools)
+    if (const Field& tip = layout[tip_field(tool)]; tip.count > 0) state.values.segment<3>(tip(0)) = place_tool(meshes.body, tool).start;
   return state;
 }
 

@@ -6,6 +6,7 @@
 
 #include "solver/fem/partition.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/scene/tools.hpp"
 #include "solver/terms/contact_slave.hpp"
 #include "solver/terms/pressure_unknowns.hpp"
 
@@ -110,6 +111,12 @@ std::vector<int> entry_owners(const Model& model, const Meshes& meshes, const La
         of_vertex.push_back(of_body[node]);
     put(pressures, of_vertex, owner);
   }
+  if (position.count > 0)
+    for (const input::ToolSpec& tool : model.asked.tools) {
+      std::vector<int> of_vertex;
+      for (const int node : place_tool(meshes.body, tool).surface.node_of_vertex) of_vertex.push_back(of_body[node]);
+      put(layout[tool_pressures(tool)], of_vertex, owner);
+    }
   return owner;
 }
 

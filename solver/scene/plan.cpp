@@ -12,6 +12,7 @@
 #include "solver/scene/particle_scene.hpp"
 #include "solver/scene/run.hpp"
 #include "solver/scene/scene.hpp"
+#include "solver/scene/tools.hpp"
 
 namespace snug::solver {
 
@@ -212,7 +213,7 @@ void list_overlaps(const Model& model, const Meshes& meshes, Plan& plan) {
 
 void list_garments(const Model& model, const Meshes& meshes, Plan& plan) {
   if (model.garments.empty()) plan.parts_out.push_back("garment: no [garment] in the case");
-  if (model.garments.empty() && model.contacts.empty()) plan.parts_out.push_back("contact: no garment");
+  if (model.garments.empty() && model.contacts.empty() && model.asked.tools.empty()) plan.parts_out.push_back("contact: no garment");
   for (std::size_t g = 0; g < model.garments.size(); ++g) list_garment(model, static_cast<int>(g), meshes, plan);
   list_overlaps(model, meshes, plan);
   for (const ContactModel& contact : model.contacts)
@@ -241,6 +242,10 @@ void list_loads(const input::Case& description, const Meshes& meshes, Plan& plan
   }
   list_file_loads(meshes.body, plan);
   for (const auto& support : description.support) plan.parts_in.push_back(fmt::format("support: {}", support.on));
+}
+
+void list_tools(const Model& model, const mesh::BodyMesh& body, Plan& plan) {
+  for (std::string& part : tool_parts(model, body)) plan.parts_in.push_back(std::move(part));
 }
 
 // Building the scene finds loads that nothing bears.
@@ -299,6 +304,7 @@ Plan plan(const Model& model, const Meshes& meshes) {
   list_body(model, meshes, plan);
   list_garments(model, meshes, plan);
   if (model.deformable()) list_loads(model.asked, meshes, plan);
+  list_tools(model, meshes.body, plan);
   if (model.deformable()) list_free_motions(model, meshes, plan);
   if (!model.asked.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
   if (model.asked.solver.tier != input::Tier::L0 && !model.falls()) count_unknowns(model, meshes, plan);

@@ -148,7 +148,8 @@ class Scene {
 /// placed shape shrunk by that factor (verification). Throws input::InputError where what the case names does not fit together.
 Scene make_scene(const Model& model, const Meshes& meshes, Skin skin, std::optional<double> prestretch = {});
 
-/// The strain-free start: parts where their meshes have them, no contact pressure, s = 0.
+/// The strain-free start: parts where their meshes have them, no contact pressure, s = 0. With the model tools stand at their start.
 State placed_state(const Layout& layout, const Meshes& meshes);
+State placed_state(const Layout& layout, const Model& model, const Meshes& meshes);
 
 }  // namespace snug::solver

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "solver/scene/tools.hpp"
+
 namespace snug::solver {
 
 const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string& name, const input::Location& where) {
@@ -49,6 +51,7 @@ Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout&
   for (const auto& spec : description.support) hold(spec, body);
   resolve_lines(body);
   if (!held_by_garment(model)) hold_free_motions(body);
+  for (const input::ToolSpec& tool : description.tools) move(tool, layout[tip_field(tool)], body);
 }
 
 void Supports::prescribe(int node, int component, int holder, const Motion& motion, const mesh::BodyMesh& body) {
@@ -103,6 +106,13 @@ void Supports::hold_along(const std::vector<mesh::HeldAlong>& held, const input:
   if (held.empty()) return;
   const int holder = table_.add({"supports of the file", where});
   for (const mesh::HeldAlong& one : held) lines_[one.node].push_back({holder, one.direction, one.displacement});
+}
+
+void Supports::move(const input::ToolSpec& tool, const Field& tip, const mesh::BodyMesh& body) {
+  const PlacedTool placed = place_tool(body, tool);
+  const Motion motion{.displacement = tool.travel * placed.shape.direction};
+  const int holder = table_.add({tool.name, tool.where});
+  for (int c = 0; c < 3; ++c) table_.prescribe(tip(0, c), holder, c, motion, placed.start, 0);
 }
 
 /// When all else is prescribed.

@@ -54,6 +54,7 @@ class Supports {
   void hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body);
   void hold(const input::SupportSpec& spec, const mesh::BodyMesh& body);
   void hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where);
+  void move(const input::ToolSpec& tool, const Field& tip, const mesh::BodyMesh& body);
   void resolve_lines(const mesh::BodyMesh& body);
   void hold_free_motions(const mesh::BodyMesh& body);
 

@@ -14,9 +14,9 @@ namespace {
 
 NewtonSettings increment_settings(const PathSettings& path, bool last, int failures) {
   NewtonSettings settings = path.newton;
-  settings.recut = last;
+  settings.recut = last || path.exact;
   settings.minimum = last && path.minimum;
-  if (!last) {
+  if (!last && !path.exact) {
     settings.residual = path.intermediate_residual;
     settings.complementarity = 1e-2;
     settings.penetration = 1e-5;

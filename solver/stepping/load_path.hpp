@@ -16,6 +16,7 @@ struct PathSettings {
   bool leads_on = false;        ///< another stage goes on from the end, which then need not be better than any other state
   int failures = 8;             ///< halvings in a row before giving up
   int lost_iterations = 1000;   ///< of increments that failed, before giving up
+  bool exact = false;           ///< states on the way are solved as the last one: each of them is an answer
   bool minimum = false;         ///< the answer must be a minimum on its constraints, by the inertia of the tangent
   double smallest_step = 2e-3;  ///< shorter steps than this are no progress
   double longest_step = 1.0;

@@ -15,6 +15,7 @@
 #include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
 #include "solver/scene/result.hpp"
+#include "solver/scene/tools.hpp"
 #include "solver/stepping/arc_length.hpp"
 #include "solver/stepping/donning.hpp"
 #include "solver/stepping/drape.hpp"
@@ -130,7 +131,7 @@ class Run {
     if (before) trail.back().scene->drop_matrix();  // the next one needs the memory
     Standing at{std::make_shared<Scene>(make_scene(*stage.model, meshes_, stage.skin)), {}};
     log_.phase("set-up");
-    at.state = placed_state(at.scene->layout(), meshes_);
+    at.state = placed_state(at.scene->layout(), model_, meshes_);
     if (before) {
       at.state = at.scene->transfer(trail.back().state, trail.back().scene->layout(), at.state);
     } else {
@@ -163,7 +164,7 @@ class Run {
     return path;
   }
 
-  PathSettings settings_of(const Stage& stage, bool another) const {
+  PathSettings settings_of(const Stage& stage, bool another) {
     PathSettings path = settings(stage.skin);
     path.newton.residual = stage.residual;
     path.intermediate_residual = stage.intermediate_residual;
@@ -174,7 +175,7 @@ class Run {
     return path;
   }
 
-  PathSettings settings(Skin skin) const {
+  PathSettings settings(Skin skin) {
     PathSettings path;
     path.newton.stop = stop_;
     path.journal = journal_;
@@ -182,12 +183,13 @@ class Run {
     path.minimum = !model_.garments.empty();
     path.lost_iterations = std::max(0, most_lost - lost_);
     path.newton.penetration = 1e-6 * contact_edge();
-    if (kept_.steps > 0) {
-      path.longest_step = 1.0 / kept_.steps;
+    path.exact = !model_.asked.tools.empty();
+    path.longest_step = 1.0 / std::max(tool_steps(model_), kept_.steps);
+    if (kept_.steps > 0 || path.exact)
       path.accepted = [this](const Scene& scene, const State& state, double t) {
+        note_tools(scene, state);
         if (state.yielding == 0.0) keep(scene, state, stages_ + t);  // the skin of no wearer is a mattress
       };
-    }
     return path;
   }
 
@@ -197,7 +199,15 @@ class Run {
     for (const mesh::GarmentMesh& garment : meshes_.garments) edge = std::min(edge, garment.mean_edge);
     for (const ContactModel& contact : model_.contacts)
       if (contact.garment < 0) edge = std::min(edge, mesh::mean_edge(meshes_.body, slave_facets(meshes_.body, contact)));
+    edge = std::min(edge, tool_edge(model_, meshes_.body));
     return std::isfinite(edge) ? edge : 1.0;
+  }
+
+  /// The force over the travel of the tools.
+  void note_tools(const Scene& scene, const State& state) {
+    const std::vector<postproc::ToolRow> rows = tool_rows(scene, state, model_, meshes_.body);
+    tool_way_.resize(rows.size());
+    for (std::size_t t = 0; t < rows.size(); ++t) tool_way_[t].push_back(rows[t]);
   }
 
   /// Hands a state of the load path to who wants to see it.
@@ -237,6 +247,7 @@ class Run {
   /// What is reported belongs to this state.
   bool report(const Standing& at) {
     fill_result(*at.scene, at.state, model_, meshes_, result_);
+    fill_tools(*at.scene, at.state, model_, meshes_.body, tool_way_, result_);
     log_.phase("results");
     return true;
   }
@@ -300,6 +311,7 @@ class Run {
   const Stop& stop_;
   Journal* journal_;  ///< may be null
   int stages_ = 0;
+  std::vector<std::vector<postproc::ToolRow>> tool_way_;  ///< a list a tool
   int lost_ = 0;      ///< iterations of increments that failed so far
   postproc::StateTruth before_;  ///< of the stage before
   postproc::RunResult result_;

@@ -61,7 +61,8 @@ Way at_once(const Model& model) {
   const std::string name = model.deformable() ? "body" : "garment";
   Stage stage{.name = name, .model = &model, .skin = model.deformable() ? Skin::deformable : Skin::rigid,
               .attempts = once({.rows = name, .change = tightening()})};
-  if (model.garments.empty() && model.contacts.empty()) stage.curve = Curve{model.asked.solver.path == input::LoadPath::arc_length};
+  if (std::any_of(model.asked.tools.begin(), model.asked.tools.end(), [](const auto& tool) { return tool.friction > 0.0; })) stage.residual = rubbing_residual;
+  if (model.garments.empty() && model.contacts.empty() && model.asked.tools.empty()) stage.curve = Curve{model.asked.solver.path == input::LoadPath::arc_length};
   return {.stages = {stage}};
 }
 

@@ -266,6 +266,31 @@ TEST_F(CaseDirectory, ContactsAndGarmentsThatDoNotFitTogetherAreNamed) {
               testing::HasSubstr("touch itself"));
 }
 
+// A tool says where it goes; sizes that no tool has, a body that it cannot go into and a name that is taken are said.
+TEST_F(CaseDirectory, ToolsHaveAWayAndASize) {
+  const std::string head = "title = \"t\"\n" + body_section;
+  const auto tool = [](const std::string& rest) {
+    return "[[tool]]\nradius = \"15 mm\"\ntip = [\"90 mm\", \"0 mm\", \"20 mm\"]\ntravel = \"5 mm\"\n" + rest;
+  };
+  const Case c = read_text(head + tool("direction = [-2, 0, 0]\n"));
+  ASSERT_EQ(c.tools.size(), 1u);
+  EXPECT_DOUBLE_EQ(c.tools.front().radius, 0.015);
+  EXPECT_DOUBLE_EQ(c.tools.front().tip[0], 0.09);
+  EXPECT_DOUBLE_EQ(c.tools.front().direction[0], -2.0);
+  EXPECT_TRUE(c.tools.front().from_touch);
+  const auto said = [&](const std::string& text) { return all(errors_of(head + text)); };
+  EXPECT_THAT(said("[[tool]]\nradius = \"-15 mm\"\ntip = [\"90 mm\", \"0 mm\", \"20 mm\"]\ntravel = \"5 mm\"\ndirection = [1, 0, 0]\n"), testing::HasSubstr("radius"));
+  EXPECT_THAT(said(tool("direction = [0, 0, 0]\n")), testing::HasSubstr("the direction of \"tool\" is zero"));
+  EXPECT_THAT(said(tool("direction = [1, 0, 0]\nedge_radius = \"16 mm\"\n")), testing::HasSubstr("let edge_radius be at most the radius"));
+  EXPECT_THAT(said(tool("direction = [1, 0, 0]\n") + tool("direction = [1, 0, 0]\n")), testing::HasSubstr("give each tool a name of its own"));
+  EXPECT_THAT(said(tool("direction = [1, 0, 0]\nname = \"body\"\n")), testing::HasSubstr("a tool is called \"body\""));
+  EXPECT_THAT(said(tool("direction = [1, 0, 0]\n[solver]\ntier = \"L1\"\n")), testing::HasSubstr("into which \"tool\" cannot go"));
+  EXPECT_THAT(all(errors_of(good_ + tool("direction = [1, 0, 0]\n"))), testing::HasSubstr("a tool on a garment is not available"));
+  EXPECT_THAT(all(errors_of("title = \"t\"\n" + tool("direction = [1, 0, 0]\n"))), testing::HasSubstr("there is a [[tool]] but no [body]"));
+  EXPECT_EQ(to_toml(to_table(c)).find("[[tool]]") == std::string::npos, true);  // one stands as a plain table
+  EXPECT_NE(to_toml(to_table(c)).find("tool"), std::string::npos);
+}
+
 // A band's rest length is a share of the edge as cut or a length; what is neither, or leaves nothing, is said.
 TEST_F(CaseDirectory, BandsHaveARestLength) {
   BandSpec band{.edge = "upper", .rest_length = "-8 %"};

@@ -1,0 +1,174 @@
+// Rigid tools: their distance function, the derivatives of their contact, and what is said of a tool that does not meet the body.
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <vector>
+
+#include "solver/scene/tools.hpp"
+#include "solver/terms/tool_contact.hpp"
+#include "tests/unit/solver/terms.hpp"
+#include "tests/verification/press.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::RigidTool, solver::ToolGap;
+
+const Eigen::Vector3d oblique = Eigen::Vector3d(1.0, -2.0, 2.0) / 3.0;
+
+/// Largest error of central differences of slope and curvature at a place for a step h, over the largest value.
+double derivative_error(const RigidTool& tool, const Eigen::Vector3d& x, double h) {
+  const ToolGap at = tool.gap(x);
+  double error = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(c);
+    const ToolGap up = tool.gap(x + step), down = tool.gap(x - step);
+    error = std::max(error, std::abs((up.value - down.value) / (2.0 * h) - at.normal[c]));
+    error = std::max(error, 1e-3 * ((up.normal - down.normal) / (2.0 * h) - at.curvature.col(c)).norm());
+  }
+  return error;
+}
+
+// Slope and curvature are the derivatives of the distance: halving the step quarters the error, on the face's side, beside the edge and behind it, of disc and ball.
+TEST(RigidTools, SlopeAndCurvatureAreDerivativesOfTheDistance) {
+  const Eigen::Vector3d across = Eigen::Vector3d(2.0, 1.0, 0.0).normalized(), other = oblique.cross(across);
+  for (const RigidTool& tool : {RigidTool{oblique, 0.012, 0.003}, RigidTool{oblique, 0.0, 0.015}})
+    for (const double along : {0.001, -0.001, -0.006})
+      for (const double beside : {0.0141, 0.017}) {
+        const Eigen::Vector3d x = along * oblique + beside * (0.6 * across + 0.8 * other);
+        const double coarse = derivative_error(tool, x, 4e-4), fine = derivative_error(tool, x, 2e-4);
+        EXPECT_NEAR(coarse / fine, 4.0, 0.3) << tool.flat << ", " << along << ", " << beside;
+        EXPECT_NEAR(tool.gap(x).normal.norm(), 1.0, 1e-14);
+      }
+}
+
+// A ball is a disc without a flat: distance from its centre less the radius.
+TEST(RigidTools, BallMeasuresFromItsCentre) {
+  const RigidTool ball{oblique, 0.0, 0.02};
+  const Eigen::Vector3d centre = -0.02 * oblique, x = centre + 0.025 * (oblique + Eigen::Vector3d(0.1, 0.2, -0.3)).normalized();
+  EXPECT_NEAR(ball.gap(x).value, 0.005, 1e-15);
+}
+
+// How far a tool goes until it meets a point: there the distance is zero, and beside the tool there is no such way.
+TEST(RigidTools, WayToAPointEndsWhereTheDistanceIsZero) {
+  const RigidTool disc{oblique, 0.012, 0.003};
+  const Eigen::Vector3d across = oblique.unitOrthogonal();
+  for (const double beside : {0.0, 0.007, 0.0135, 0.0149}) {
+    const Eigen::Vector3d x = 0.03 * oblique + beside * across;
+    EXPECT_NEAR(disc.gap(x - disc.way_to(x) * oblique).value, 0.0, 1e-15) << beside;
+  }
+  EXPECT_TRUE(std::isinf(disc.way_to(0.03 * oblique + 0.0151 * across)));
+}
+
+/// A block 40 x 40 x 20 mm, bonded below, with a ball over its top.
+struct Pressed {
+  BlockCase block;
+  solver::Meshes meshes;
+  solver::Model model;
+
+  explicit Pressed(CellKind kind, const std::function<void(input::ToolSpec&)>& change = [](input::ToolSpec&) {}) : block(body(kind), {neo_hooke(10.0, 0.45)}) {
+    block.c.load.reset();
+    block.hold("bottom", 0.0, 0.0, 0.0);
+    input::ToolSpec tool;
+    tool.name = "probe", tool.on = "top", tool.radius = 0.012, tool.edge_radius = 0.003, tool.direction = {0.1, 0.05, -1.0}, tool.tip = {0.021, 0.018, 0.05}, tool.travel = 0.002;
+    change(tool);
+    block.c.tools = {tool};
+    meshes.body = block.mesh;
+    model = solver::make_model(block.c, meshes.body);
+  }
+  static BodyMesh body(CellKind kind) {
+    BodyMesh mesh = upright_block({4, 4, 2}, [](double u, double v, double w) { return Eigen::Vector3d(0.04 * u, 0.04 * v, 0.02 * w); });
+    return kind == CellKind::hex27 ? mesh : convert(mesh, kind);
+  }
+};
+
+// The tangent is the derivative of forces and rows and symmetric, on facets of every kind, with the tool's own entries.
+TEST(ToolContact, TangentIsTheDerivativeOfTheResidual) {
+  for (const CellKind kind : {CellKind::hex27, CellKind::tet10, CellKind::hex8}) {
+    Pressed pressed(kind, [](input::ToolSpec& tool) { tool.shape = input::ToolShape::sphere; });  // whose distance has no jump in its curvature
+    solver::Scene scene = solver::make_scene(pressed.model, pressed.meshes, solver::Skin::deformable);
+    solver::State state = solver::placed_state(scene.layout(), pressed.model, pressed.meshes);
+    const solver::Layout& layout = scene.layout();
+    state.values.head(layout.positions()) += random_vector(layout.positions(), 2e-5, 1);
+    const solver::Field& pressures = layout["contact of probe"];
+    for (int i = 0; i < pressures.count; ++i) state.values[pressures(i)] = 1e7 + 1e6 * std::sin(i);  // they decide for contact whatever the gap
+    const auto& contact = *scene.find<solver::ToolContact>();
+    contact.renew(state);
+    Eigen::VectorXd direction = random_vector(layout.size(), 1.0, 2);
+    direction.segment(pressures.first, pressures.size()).setZero();
+    contact.update(state);
+    expect_factor_four(contact, state, direction);
+    EXPECT_LE(asymmetry(assemble(contact, state, solver::Tangent::full).tangent), 1e-12);
+  }
+}
+
+std::string message(const std::function<void(input::ToolSpec&)>& change) {
+  try {
+    Pressed pressed(CellKind::hex27, change);
+    solver::place_tool(pressed.meshes.body, pressed.block.c.tools.front());
+  } catch (const input::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A tool that starts inside the body, ends before it, goes by it or meets a surface that is not there is refused with what is wrong and what to do.
+TEST(Tools, WhatDoesNotMeetTheBodyIsRefusedByName) {
+  EXPECT_EQ(message([](input::ToolSpec&) {}), "");
+  const std::string inside = message([](input::ToolSpec& tool) { tool.from_touch = false, tool.tip = {0.02, 0.02, 0.017}, tool.direction = {0, 0, -1}; });
+  EXPECT_NE(inside.find("\"probe\" starts 3 mm inside the body"), std::string::npos) << inside;
+  EXPECT_NE(inside.find("move tip back by 3 mm"), std::string::npos) << inside;
+  const std::string before = message([](input::ToolSpec& tool) { tool.from_touch = false, tool.tip = {0.02, 0.02, 0.025}, tool.direction = {0, 0, -2}; });
+  EXPECT_NE(before.find("ends 3 mm before the surface \"top\""), std::string::npos) << before;
+  EXPECT_NE(message([](input::ToolSpec& tool) { tool.tip = {0.08, 0.02, 0.05}; }).find("misses the surface \"top\""), std::string::npos);
+  EXPECT_NE(message([](input::ToolSpec& tool) { tool.direction = {0, 0, 1}; }).find("misses the surface"), std::string::npos);
+  EXPECT_NE(message([](input::ToolSpec& tool) { tool.on = "lid"; }).find("the body has no surface \"lid\""), std::string::npos);
+}
+
+// What a case does not name is not in its scene.
+TEST(Tools, ASceneWithoutAToolHasNoneOfItsFields) {
+  Pressed pressed(CellKind::hex27);
+  pressed.block.c.tools.clear();
+  const solver::Model model = solver::make_model(pressed.block.c, pressed.meshes.body);
+  const solver::Layout layout = solver::make_layout(model, pressed.meshes, solver::Skin::deformable);
+  EXPECT_EQ(layout["probe"].count, 0);
+  EXPECT_EQ(layout.fields().size(), 2u);  // positions and cells of the body
+  EXPECT_EQ(solver::make_scene(model, pressed.meshes, solver::Skin::deformable).find<solver::ToolContact>(), nullptr);
+}
+
+// A disc and a ball on facets of every kind: what moves the tool, what the body is held by and their moments balance to 1e-9; the rows of the way rise.
+TEST(Tools, ForcesAndMomentsBalance) {
+  for (const CellKind kind : {CellKind::hex27, CellKind::tet10, CellKind::hex8})
+    for (const auto shape : {input::ToolShape::disc, input::ToolShape::sphere}) {
+      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 3; });
+      const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
+      ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
+      const postproc::ToolResult& tool = result.tools.front();
+      EXPECT_GT(tool.end().force, 0.01);
+      EXPECT_LE(result.balance.force_error.norm(), 1e-9 * result.balance.contact_force);
+      EXPECT_LE(result.balance.moment_error.norm(), 1e-9 * 0.04 * result.balance.contact_force);
+      EXPECT_LE((result.balance.reactions.at("probe") + tool.reaction).norm(), 1e-9 * tool.end().force);
+      ASSERT_GE(tool.history.size(), 4u);
+      for (std::size_t n = 1; n < tool.history.size(); ++n) EXPECT_GT(tool.history[n].force, tool.history[n - 1].force);
+      EXPECT_NEAR(tool.end().depth, 0.002, 1e-15);
+      EXPECT_GT(tool.end().largest_pressure, tool.mean_pressure());
+    }
+}
+
+// A way that begins over the body gives the force of one that begins at touch, at the same depth.
+TEST(Tools, TravelBeforeTouchCostsNothing) {
+  Pressed touching(CellKind::hex27), above(CellKind::hex27);
+  const solver::PlacedTool placed = solver::place_tool(touching.meshes.body, touching.block.c.tools.front());
+  input::ToolSpec& tool = above.block.c.tools.front();
+  const Eigen::Vector3d tip = placed.start - 0.001 * placed.shape.direction;
+  tool.tip = {tip.x(), tip.y(), tip.z()}, tool.travel = 0.003, tool.from_touch = false;
+  above.model = solver::make_model(above.block.c, above.meshes.body);
+  const auto one = solver::solve(touching.model, touching.meshes).tools.front(), other = solver::solve(above.model, above.meshes).tools.front();
+  EXPECT_NEAR(other.end().depth, one.end().depth, 1e-9);
+  EXPECT_NEAR(other.end().force, one.end().force, 1e-6 * one.end().force);
+}
+
+}  // namespace
+}  // namespace snug::tests
