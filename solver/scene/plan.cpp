@@ -26,11 +26,16 @@ long count(const Numbering& numbering, int begin, int end) {
   return sum;
 }
 
+/// The tip of a tool is prescribed.
+bool of_tool(const Model& model, const Field& field) {
+  return std::any_of(model.asked.tools.begin(), model.asked.tools.end(), [&](const auto& tool) { return tip_field(tool) == field.name; });
+}
+
 void count_unknowns(const Model& model, const Meshes& meshes, Plan& plan) {
   const Layout layout = make_layout(model, meshes, model.deformable() ? Skin::deformable : Skin::rigid);
   const Numbering numbering = make_numbering(model, meshes, layout, Supports(model, meshes.body, layout));
   for (const Field& field : layout.fields())
-    if (field.rows != Rows::cell && field.count > 0)
+    if (field.rows != Rows::cell && field.count > 0 && !of_tool(model, field))
       plan.unknowns[field.name == "body pressure" ? "pressure" : field.name] = count(numbering, field.first, field.end());
 }
 

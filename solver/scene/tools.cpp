@@ -97,6 +97,19 @@ postproc::ToolRow row_of(const State& state, const Field& tip, const PlacedTool&
   return row;
 }
 
+/// Gaps are closed in the mean over the cells round a vertex: a contact that is small beside them is not seen, or too soft.
+constexpr double most_inside = 0.1;  // of the depth
+
+void judge_mesh(const postproc::ToolResult& tool, double inside, const PlacedTool& placed, postproc::RunResult& result) {
+  const double depth = tool.end().depth;
+  if (depth <= 0.0 || inside <= most_inside * depth) return;
+  const std::string text = fmt::format("points of {} lie up to {:.3g} mm inside {}, which is {:.3g} mm deep: its cells of {:.3g} mm are coarse beside the contact", tool.surface, 1e3 * inside,
+                                       tool.name, 1e3 * depth, 1e3 * placed.surface.mean_edge);
+  const std::string remedy = "refine the mesh below the tool (a quarter of its contact's radius, or its edge's), or press deeper";
+  if (tool.end().force <= 0.0) result.status = postproc::Status::failed, result.message = text + "; no force is found; " + remedy;
+  else result.warnings.push_back({.name = "coarse mesh below a tool", .text = text, .place = tool.surface, .remedy = remedy, .quantity = "penetration", .value = inside, .limit = most_inside * depth});
+}
+
 }  // namespace
 
 std::string tip_field(const input::ToolSpec& tool) { return tool.name; }
@@ -179,6 +192,8 @@ void fill_tools(const Scene& scene, const State& state, const Model& model, cons
     result.numbers[name + "_force_N"] = end.force, result.numbers[name + "_depth_m"] = end.depth;
     result.numbers[name + "_stiffness_N_per_m"] = found.stiffness(), result.numbers[name + "_contact_area_m2"] = end.area;
     result.numbers[name + "_largest_pressure_Pa"] = end.largest_pressure;
+    result.numbers[name + "_penetration_m"] = sums.inside;
+    judge_mesh(found, sums.inside, placed, result);
     result.tools.push_back(std::move(found));
   }
 }

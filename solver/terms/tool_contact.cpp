@@ -192,8 +192,8 @@ ToolContact::Sums ToolContact::sums(const State& state) const {
   for (int f = 0; f < facets(); ++f) {
     Eigen::Vector4d p = Eigen::Vector4d::Zero();
     for (int v = 0; v < corners(); ++v) p[v] = pressure(state, surface_.vertices[f][v]);
-    if (p.isZero(0.0)) continue;
     for_points(state, f, [&](const Meeting& q) {
+      sums.inside = std::max(sums.inside, -q.gap);
       const Eigen::Vector3d force = -q.weight * p.dot(q.hat) * q.normal;
       sums.force += force, sums.moment += q.from_tip.cross(force), sums.pressing += force.norm();
     });

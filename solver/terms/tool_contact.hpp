@@ -68,6 +68,7 @@ class ToolContact : public Term {
     double pressing = 0.0;                             ///< N, sum of |point forces|
     double area = 0.0;                                 ///< m2, of the surface now, of the vertices that touch
     double largest_pressure = 0.0;                     ///< Pa, per area now
+    double inside = 0.0;                               ///< m, how deep a point lies in the tool: gaps are zero as weighted over a cell, not at points
   };
   Sums sums(const State& state) const;
 
@@ -77,6 +78,7 @@ class ToolContact : public Term {
     const Eigen::Vector4d& hat;
     const Eigen::Matrix<double, 10, 1> part; ///< of the slots and the tip in x - tip
     Eigen::Vector3d from_tip, normal;        ///< m; unit vector away from the tool
+    double gap;                              ///< m
   };
   template <class Visit>
   void for_points(const State& state, int facet, const Visit& visit) const {
@@ -86,7 +88,8 @@ class ToolContact : public Term {
       const Eigen::Vector3d from_tip = x * points[q].shape.N - tip(state);
       Eigen::Matrix<double, 10, 1> part;
       part << points[q].shape.N, -1.0;
-      visit(Meeting{weights_[facet * points.size() + q], points[q].hat, part, from_tip, tool_.gap(from_tip).normal});
+      const ToolGap gap = tool_.gap(from_tip);
+      visit(Meeting{weights_[facet * points.size() + q], points[q].hat, part, from_tip, gap.normal, gap.value});
     }
   }
   static constexpr int size = 34;  ///< entries of a facet

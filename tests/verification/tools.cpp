@@ -16,8 +16,22 @@ namespace {
 
 constexpr double slice = std::numbers::pi / 6.0;  // of the wedge, rad
 
+/// Places over the unit interval, by cells.
+struct Places {
+  int count;
+  std::function<double(double)> at;
+  Places(const Graded& graded) : count(graded.cells()), at(graded) {}
+  /// Fine on both sides of a radius.
+  Places(double radius, const Graded& inwards, const Graded& outwards)
+      : count(inwards.cells() + outwards.cells()), at([=, inner = double(inwards.cells()) / (inwards.cells() + outwards.cells())](double u) {
+          return u <= inner ? radius - inwards(std::max(0.0, 1.0 - u / inner)) : radius + outwards((u - inner) / (1.0 - inner));
+        }) {}
+  int cells() const { return count; }
+  double operator()(double u) const { return at(u); }
+};
+
 /// A slice of a disc of material on a bonded floor, its face at y = 0, radii and depths by cells; the rim is free.
-BlockCase layer(const Graded& radii, const Graded& depths, double youngs_modulus, double poisson) {
+BlockCase layer(const Places& radii, const Places& depths, double youngs_modulus, double poisson) {
   Block block;
   block.kind = CellKind::tet10, block.cells = {radii.cells(), depths.cells(), 1};
   block.map = [=](const Eigen::Vector3d& u) {
@@ -59,7 +73,8 @@ postproc::RunResult pressed(BlockCase block, const input::ToolSpec& tool) {
   const solver::Model model = solver::make_model(block.c, meshes.body);
   postproc::RunResult result = solver::solve(model, meshes);
   EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
-  EXPECT_LE(result.balance.force_error.norm(), 1e-9 * result.balance.contact_force);
+  const double round_off = 1e-13;  // N, of positions to 5 cm in 10 kPa: eps E L^2 an entry, beside forces of 1e-6 N
+  EXPECT_LE(result.balance.force_error.norm(), 1e-9 * result.balance.contact_force + round_off);
   return result;
 }
 
@@ -129,8 +144,9 @@ TEST(Tools, FlatPunchOnABondedLayer) {
     const double edge = 0.02 * a, depth = 1e-3 * a, height = a / aspect;
     const auto exact = [&](double radius) { return 4.0 * 0.5 * E / (1.0 + nu) * radius * depth * kappa(radius / height, nu) / (1.0 - nu); };
     std::vector<double> found;
-    for (const int cells : {6, 12}) {
-      const auto result = pressed(layer(Graded(a / cells, cells + cells / 3, 7, a + 4.0 * height), Graded(a / cells, cells / 3, 5, height), E, nu),
+    for (const int cells : {1, 2}) {  // over the rounding
+      const double size = edge / cells;
+      const auto result = pressed(layer(Places(a, Graded(size, 2 * cells, 7, a), Graded(size, 1, 8, 4.0 * height)), Graded(2.0 * size, 2, 8, height), E, nu),
                                   tool_on_top(a, edge, depth));
       found.push_back(force(result) / exact(a));
     }

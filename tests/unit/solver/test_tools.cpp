@@ -68,7 +68,7 @@ struct Pressed {
   solver::Meshes meshes;
   solver::Model model;
 
-  explicit Pressed(CellKind kind, const std::function<void(input::ToolSpec&)>& change = [](input::ToolSpec&) {}) : block(body(kind), {neo_hooke(10.0, 0.45)}) {
+  explicit Pressed(CellKind kind, const std::function<void(input::ToolSpec&)>& change = [](input::ToolSpec&) {}, int cells = 4) : block(body(kind, cells), {neo_hooke(10.0, 0.45)}) {
     block.c.load.reset();
     block.hold("bottom", 0.0, 0.0, 0.0);
     input::ToolSpec tool;
@@ -78,8 +78,8 @@ struct Pressed {
     meshes.body = block.mesh;
     model = solver::make_model(block.c, meshes.body);
   }
-  static BodyMesh body(CellKind kind) {
-    BodyMesh mesh = upright_block({4, 4, 2}, [](double u, double v, double w) { return Eigen::Vector3d(0.04 * u, 0.04 * v, 0.02 * w); });
+  static BodyMesh body(CellKind kind, int cells) {
+    BodyMesh mesh = upright_block({cells, cells, 2}, [](double u, double v, double w) { return Eigen::Vector3d(0.04 * u, 0.04 * v, 0.02 * w); });
     return kind == CellKind::hex27 ? mesh : convert(mesh, kind);
   }
 };
@@ -142,7 +142,7 @@ TEST(Tools, ASceneWithoutAToolHasNoneOfItsFields) {
 TEST(Tools, ForcesAndMomentsBalance) {
   for (const CellKind kind : {CellKind::hex27, CellKind::tet10, CellKind::hex8})
     for (const auto shape : {input::ToolShape::disc, input::ToolShape::sphere}) {
-      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 3; });
+      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 3; }, kind == CellKind::hex8 ? 20 : 10);
       const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
       ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
       const postproc::ToolResult& tool = result.tools.front();
@@ -155,6 +155,31 @@ TEST(Tools, ForcesAndMomentsBalance) {
       EXPECT_NEAR(tool.end().depth, 0.002, 1e-15);
       EXPECT_GT(tool.end().largest_pressure, tool.mean_pressure());
     }
+}
+
+// On cells that are coarse beside its contact a ball meets no vertex: that is no answer, and what to do is said.
+TEST(Tools, AContactThatTheMeshDoesNotSeeIsNoAnswer) {
+  Pressed pressed(CellKind::hex27, [](input::ToolSpec& tool) { tool.shape = input::ToolShape::sphere, tool.travel = 1e-4; });
+  const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
+  EXPECT_EQ(result.status, postproc::Status::failed);
+  EXPECT_NE(result.message.find("refine the mesh below the tool"), std::string::npos) << result.message;
+}
+
+// Friction: with a large coefficient the surface goes with the disc and the force is larger than without; forces and moments balance as well.
+TEST(Tools, FrictionHoldsTheSurface) {
+  std::array<double, 2> force{};
+  for (const double coefficient : {0.0, 0.5}) {
+    Pressed pressed(CellKind::hex27, [&](input::ToolSpec& tool) { tool.friction = coefficient, tool.steps = 2, tool.direction = {0, 0, -1}; }, 8);
+    const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
+    ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
+    const postproc::ToolRow& end = result.tools.front().end();
+    force[coefficient > 0.0] = end.force;
+    EXPECT_EQ(end.friction_force > 0.0, coefficient > 0.0);
+    EXPECT_LE(end.friction_force, coefficient * result.balance.contact_force * (1.0 + 1e-6));
+    EXPECT_LE(result.balance.force_error.norm(), 1e-9 * result.balance.contact_force);
+    EXPECT_LE(result.balance.moment_error.norm(), 1e-9 * 0.04 * result.balance.contact_force);
+  }
+  EXPECT_GT(force[1], 1.001 * force[0]);
 }
 
 // A way that begins over the body gives the force of one that begins at touch, at the same depth.
