@@ -79,7 +79,7 @@ struct Pressed {
     model = solver::make_model(block.c, meshes.body);
   }
   static BodyMesh body(CellKind kind, int cells) {
-    BodyMesh mesh = upright_block({cells, cells, 2}, [](double u, double v, double w) { return Eigen::Vector3d(0.04 * u, 0.04 * v, 0.02 * w); });
+    BodyMesh mesh = upright_block({cells, 2, cells}, [](double u, double v, double w) { return Eigen::Vector3d(0.04 * u, 0.04 * v, 0.02 * w); });
     return kind == CellKind::hex27 ? mesh : convert(mesh, kind);
   }
 };
@@ -142,7 +142,7 @@ TEST(Tools, ASceneWithoutAToolHasNoneOfItsFields) {
 TEST(Tools, ForcesAndMomentsBalance) {
   for (const CellKind kind : {CellKind::hex27, CellKind::tet10, CellKind::hex8})
     for (const auto shape : {input::ToolShape::disc, input::ToolShape::sphere}) {
-      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 3; }, kind == CellKind::hex8 ? 20 : 10);
+      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 2; }, kind == CellKind::hex8 ? 12 : 6);
       const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
       ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
       const postproc::ToolResult& tool = result.tools.front();
@@ -150,7 +150,7 @@ TEST(Tools, ForcesAndMomentsBalance) {
       EXPECT_LE(result.balance.force_error.norm(), 1e-9 * result.balance.contact_force);
       EXPECT_LE(result.balance.moment_error.norm(), 1e-9 * 0.04 * result.balance.contact_force);
       EXPECT_LE((result.balance.reactions.at("probe") + tool.reaction).norm(), 1e-9 * tool.end().force);
-      ASSERT_GE(tool.history.size(), 4u);
+      ASSERT_GE(tool.history.size(), 3u);
       for (std::size_t n = 1; n < tool.history.size(); ++n) EXPECT_GT(tool.history[n].force, tool.history[n - 1].force);
       EXPECT_NEAR(tool.end().depth, 0.002, 1e-15);
       EXPECT_GT(tool.end().largest_pressure, tool.mean_pressure());
@@ -169,7 +169,7 @@ TEST(Tools, AContactThatTheMeshDoesNotSeeIsNoAnswer) {
 TEST(Tools, FrictionHoldsTheSurface) {
   std::array<double, 2> force{};
   for (const double coefficient : {0.0, 0.5}) {
-    Pressed pressed(CellKind::hex27, [&](input::ToolSpec& tool) { tool.friction = coefficient, tool.steps = 2, tool.direction = {0, 0, -1}; }, 8);
+    Pressed pressed(CellKind::hex27, [&](input::ToolSpec& tool) { tool.friction = coefficient, tool.steps = 2, tool.direction = {0, 0, -1}; }, 6);
     const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
     ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
     const postproc::ToolRow& end = result.tools.front().end();
