@@ -142,7 +142,7 @@ TEST(Tools, ASceneWithoutAToolHasNoneOfItsFields) {
 TEST(Tools, ForcesAndMomentsBalance) {
   for (const CellKind kind : {CellKind::hex27, CellKind::tet10, CellKind::hex8})
     for (const auto shape : {input::ToolShape::disc, input::ToolShape::sphere}) {
-      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 2; }, kind == CellKind::hex8 ? 12 : 6);
+      Pressed pressed(kind, [&](input::ToolSpec& tool) { tool.shape = shape, tool.steps = 2, tool.radius = shape == input::ToolShape::sphere ? 0.03 : 0.012; }, kind == CellKind::hex8 ? 12 : 6);
       const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
       ASSERT_EQ(result.status, postproc::Status::converged) << result.message;
       const postproc::ToolResult& tool = result.tools.front();

@@ -1,8 +1,8 @@
 // A quarter of a limb under a probe: a half (y >= 0) of its section, from the probe's middle (z = 0) along the limb. Skin, muscle and bone are circles whose
 // centres stand so that the tissue has one thickness in front (towards the probe, along x) and another behind. Units: mm.
 girth = 530;                  // round the skin
-front_fat = 10.88; front_muscle = 29.1;    // fat: with the skin, which is a membrane on its surface
-back_fat = 11.03; back_muscle = 53.5;
+front_fat = 10.88; front_muscle = 30.92;    // fat: with the skin, which is a membrane on its surface
+back_fat = 11.03; back_muscle = 54.57;
 probe = 14.66;                // radius of what presses
 cells = 3;                    // over the probe's radius
 depth_fat = 2; depth_muscle = 4;           // cells
