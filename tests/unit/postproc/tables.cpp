@@ -205,13 +205,18 @@ TEST(Recorders, SummaryTellsWhatTheStateIsAndWarns) {
 TEST(Recorders, AFullSceneLeavesEveryFileAndNothingHalfWritten) {
   // Each recorder's file is there and no file written aside remains.
   const auto out = fresh_folder("full");
-  const RunResult run = run_scene();
+  RunResult run = run_scene();
+  run.tools = {{.name = "probe", .surface = "skin", .shape = "ball of radius 5 mm", .history = {{.travel = 2e-3, .depth = 1e-3, .force = 0.5}, {.travel = 4e-3, .depth = 3e-3, .force = 2.5}}}};
   write_results(run, evaluate(run, trial()), out,
                 {.versions = {{"snug", "0.1.0"}}, .input_hashes = {}, .mesh_quality = {}});
   for (const Recorder& recorder : recorders())
     EXPECT_TRUE(std::filesystem::exists(out / recorder.file)) << recorder.file;
   for (const auto& file : std::filesystem::directory_iterator(out)) EXPECT_NE(file.path().extension(), ".part");
   EXPECT_NE(text_of(out / "body.pvd").find("file=\"body_0000.vtu\""), std::string::npos);
+  EXPECT_NE(text_of(out / "tool.csv").find("\nprobe,0.004,0.003,2.5,0,0,0,0\n"), std::string::npos) << text_of(out / "tool.csv");
+  const auto tool = nlohmann::json::parse(text_of(out / "summary.json"))["tools"][0];
+  EXPECT_NEAR(tool["stiffness_N_per_m"].get<double>(), 2.5 / 3e-3, 1e-9);      // force over depth
+  EXPECT_NEAR(tool["slope_N_per_m"].get<double>(), (2.5 - 0.5) / 2e-3, 1e-9);  // of the last step
 }
 
 TEST(Recorders, WhatTheSceneDoesNotHaveLeavesNoFileOfAnEarlierRun) {
