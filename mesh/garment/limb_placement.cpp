@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include "mesh/garment/garment_zones.hpp"
 #include "mesh/garment/limb_sheet.hpp"
 #include "mesh/garment/sliding.hpp"
+#include "mesh/garment/start_stretch.hpp"
 #include "mesh/garment/tube_chart.hpp"
 
 namespace snug::mesh {
@@ -22,7 +22,6 @@ namespace {
 using input::InputError;
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
-constexpr double least_start = 0.3, largest_start = 3.0;  // stretches from which the rest metric is reached (FabricMembrane)
 
 constexpr double beyond_the_end = 0.25;  // of the mean edge: what a hem may pass the limb's end by, to be pushed back
 
@@ -227,14 +226,9 @@ class Placement {
   void measure(LimbPlacement& result) const {
     for (std::size_t t = 0; t < sewn_.triangles.size(); ++t) {
       const auto& n = sewn_.triangles[t];
-      Eigen::Matrix2d flat;
-      flat << sewn_.flat[n[1]] - sewn_.flat[n[0]], sewn_.flat[n[2]] - sewn_.flat[n[0]];
-      Eigen::Matrix<double, 3, 2> placed;
-      placed << result.placed[n[1]] - result.placed[n[0]], result.placed[n[2]] - result.placed[n[0]];
-      const Eigen::Matrix<double, 3, 2> gradient = placed * flat.inverse();
-      const Eigen::Vector2d stretch = gradient.jacobiSvd().singularValues();
+      const Eigen::Vector2d stretch = principal_stretches(n, sewn_.flat, result.placed);
       result.least_stretch = std::min(result.least_stretch, stretch[1]), result.largest_stretch = std::max(result.largest_stretch, stretch[0]);
-      if (stretch[1] >= least_start && stretch[0] <= largest_start) continue;
+      if (can_start(stretch)) continue;
       throw InputError(spec_.where,
                        fmt::format("the piece {} would be stretched to {:.2f} times its size ({:.2f} across) at height {:.0f} mm", sewn_.pieces[sewn_.triangle_piece[t]],
                                    stretch[0], stretch[1], 1e3 * result.placed[n[0]].z()),

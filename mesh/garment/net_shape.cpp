@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +11,7 @@
 
 #include "cases/input/files.hpp"
 #include "mesh/formats/curve_set.hpp"
+#include "mesh/garment/start_stretch.hpp"
 
 namespace snug::mesh {
 
@@ -22,7 +21,6 @@ using curves::Net;
 using input::InputError;
 
 constexpr double most_points = 1e6;  // of the subdivided net
-constexpr double least_start = 0.3, largest_start = 3.0;  // stretches from which the rest metric is reached (FabricMembrane)
 
 const Named<Net>& chosen(const CurveSet& set, const input::ShapeSpec& spec) {
   std::vector<std::string> names;
@@ -102,12 +100,8 @@ Eigen::Vector3d at_height(const Net& net, int column, double z) {
 void check_stretch(const NetShape& shape, const GarmentMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& n = mesh.triangles[t];
-    Eigen::Matrix2d flat;
-    flat << mesh.pattern[n[1]] - mesh.pattern[n[0]], mesh.pattern[n[2]] - mesh.pattern[n[0]];
-    Eigen::Matrix<double, 3, 2> placed;
-    placed << mesh.placed[n[1]] - mesh.placed[n[0]], mesh.placed[n[2]] - mesh.placed[n[0]];
-    const Eigen::Vector2d stretch = (placed * flat.inverse()).eval().jacobiSvd().singularValues();
-    if (stretch[1] >= least_start && stretch[0] <= largest_start) continue;
+    const Eigen::Vector2d stretch = principal_stretches(n, mesh.pattern, mesh.placed);
+    if (can_start(stretch)) continue;
     throw InputError(shape.where, fmt::format("on {} the garment would be stretched to {:.2f} times its size ({:.2f} across) at height {:.0f} mm", shape.text, stretch[0], stretch[1], 1e3 * mesh.placed[n[0]].z()),
                      "look at the unit of the net, and let it follow the body more closely there");
   }

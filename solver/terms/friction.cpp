@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/terms/coulomb.hpp"
 #include "solver/terms/parallel.hpp"
 
 namespace snug::solver {
@@ -17,13 +18,6 @@ namespace {
 int column_of(const std::vector<int>& master_nodes, int node) {
   const auto it = std::find(master_nodes.begin(), master_nodes.end(), node);
   return 18 + 3 * static_cast<int>(it - master_nodes.begin());
-}
-
-// Turned into the plane normal to n with its length kept: the traction of a point that has moved on along the skin.
-Eigen::Vector3d transported(const Eigen::Vector3d& t, const Eigen::Vector3d& n) {
-  const Eigen::Vector3d flat = t - t.dot(n) * n;
-  const double length = flat.norm();
-  return length > 0.0 ? Eigen::Vector3d(t.norm() / length * flat) : Eigen::Vector3d::Zero();
 }
 
 }  // namespace
@@ -144,9 +138,8 @@ Friction::Return Friction::traction(const FrictionHistory& history, const Eigen:
   Return r;
   r.trial = transported(history.traction.segment<3>(9 * triangle + 3 * v), corner.normal) +
             history.stiffness / corner.area * (corner.slip * change);
-  const double length = r.trial.norm();
-  r.slips = length > corner.bound;
-  r.traction = r.slips ? Eigen::Vector3d(corner.bound / length * r.trial) : r.trial;
+  const Bounded held = bounded(r.trial, corner.bound);
+  r.traction = held.traction, r.slips = held.slips;
   return r;
 }
 
@@ -158,8 +151,7 @@ double Friction::energy(const State& state) const {
     for (int v = 0; v < 3; ++v) {
       const Corner& corner = (*now.frames)[e][v];
       if (corner.area <= 0.0) continue;
-      const double trial = traction(now, d, e, v).trial.norm(), held = std::min(trial, corner.bound);
-      sum += corner.area * held * (trial - 0.5 * held) / now.stiffness;
+      sum += energy_of_slip(traction(now, d, e, v).trial.norm(), corner.bound, corner.area, now.stiffness);
     }
   }
   return sum;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/terms/coulomb.hpp"
 #include "solver/terms/parallel.hpp"
 
 namespace snug::solver {
@@ -12,13 +13,6 @@ namespace snug::solver {
 namespace {
 
 constexpr int corners = 4;
-
-// Turned into the plane normal to n with its length kept.
-Eigen::Vector3d transported(const Eigen::Vector3d& t, const Eigen::Vector3d& n) {
-  const Eigen::Vector3d flat = t - t.dot(n) * n;
-  const double length = flat.norm();
-  return length > 0.0 ? Eigen::Vector3d(t.norm() / length * flat) : Eigen::Vector3d::Zero();
-}
 
 }  // namespace
 
@@ -91,9 +85,8 @@ ToolFriction::Return ToolFriction::traction(const ToolFrictionHistory& history, 
   const Corner& corner = (*history.frames)[facet][v];
   Return r;
   r.trial = transported(history.traction.segment<3>(3 * (corners * facet + v)), corner.normal) + history.stiffness / corner.area * (corner.slip * change);
-  const double length = r.trial.norm();
-  r.slips = length > corner.bound;
-  r.traction = r.slips ? Eigen::Vector3d(corner.bound / length * r.trial) : r.trial;
+  const Bounded held = bounded(r.trial, corner.bound);
+  r.traction = held.traction, r.slips = held.slips;
   return r;
 }
 
@@ -105,8 +98,7 @@ double ToolFriction::energy(const State& state) const {
     for (int v = 0; v < corners; ++v) {
       const Corner& corner = (*now.frames)[f][v];
       if (corner.area <= 0.0) continue;
-      const double trial = traction(now, d, f, v).trial.norm(), held = std::min(trial, corner.bound);
-      sum += corner.area * held * (trial - 0.5 * held) / now.stiffness;
+      sum += energy_of_slip(traction(now, d, f, v).trial.norm(), corner.bound, corner.area, now.stiffness);
     }
   }
   return sum;
