@@ -245,7 +245,7 @@ struct ScanSpec {
 
 struct BodySpec {
   BodyKind kind = BodyKind::stations;
-  std::filesystem::path stations;  ///< CSV
+  std::filesystem::path stations;  ///< table of girths, or JSON of outlines
   std::filesystem::path mesh;      ///< gmsh file
   double unit = 1.0;               ///< metres per unit of that file
   double force_unit = 1.0;         ///< N per unit of force of that file
@@ -266,7 +266,7 @@ struct BodySpec {
           self.kind);
     field(Field{.key = "stations",
                 .meaning = "CSV file (or the first sheet of an .xlsx one) of the girths: height, girth, width_to_depth, centre_x, centre_y, "
-                           "bone_girth, bone_width_to_depth, bone_x, bone_y"},
+                           "bone_girth, bone_width_to_depth, bone_x, bone_y. Or a JSON file of nets \"skin\" and \"bone\" (docs/curves.md): points of sections"},
           self.stations);
     field(Field{.key = "mesh",
                 .meaning = "gmsh file (.msh) with hexahedra or tetrahedra, or a geometry (.geo) for gmsh to mesh; its physical "

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/body/outlines.hpp"
 #include "mesh/body/scan.hpp"
 #include "mesh/body/stations.hpp"
 
@@ -133,7 +134,7 @@ void check_bone_inside(const Limb& limb, const input::Location& where) {
 }
 
 Limb make_limb(const input::BodySpec& spec) {
-  if (spec.kind == input::BodyKind::stations) return limb_from_stations(spec);
+  if (spec.kind == input::BodyKind::stations) return spec.stations.extension() == ".json" ? limb_from_outlines(spec) : limb_from_stations(spec);
   if (spec.kind == input::BodyKind::scan) return limb_from_scan(spec);
   throw input::InputError(spec.where, fmt::format("the body is of kind \"{}\", which has no outlines", text_of(spec.kind)),
                           "write \"stations\" or \"scan\"");

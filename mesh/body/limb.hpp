@@ -1,4 +1,4 @@
-// The smooth geometry of a limb: skin and bone as functions of angle and height, built from stations or from a scan.
+// The smooth geometry of a limb: skin and bone as functions of angle and height, built from stations, outlines or a scan.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,6 +11,7 @@
 #include "cases/input/suggestion.hpp"
 #include "cases/input/units.hpp"
 #include "mesh/body/elliptic_outline.hpp"
+#include "mesh/body/usual_bone.hpp"
 
 namespace snug::mesh {
 
@@ -26,10 +27,6 @@ struct ColumnSpec {
   bool positive = false;
   std::vector<std::string> also = {};  // names that people give it
 };
-
-/// The bone where nothing is said of it: this share of the skin's girth. Of the limbs that ship the thigh's is a sixth, the calf's a third
-/// to a half (two bones); a bone twice as thick changes pressures by what the tissue between is stiffer.
-constexpr double usual_bone = 0.25;
 
 const std::vector<ColumnSpec>& column_specs() {
   static const std::vector<ColumnSpec> specs = {{"height", "m", {}, false, {"h", "z", "level", "position", "distance", "height_above_floor", "axial_position"}},
@@ -206,7 +203,7 @@ Limb limb_from_stations(const input::BodySpec& spec) {
   if (!bone) {
     for (const double girth : column.at("girth")) column["bone_girth"].push_back(usual_bone * girth);
     remarks.push_back({{csv.file, csv.columns[0].where.line, 1}, fmt::format("there is no column bone_girth: {:.0f} % of the girth is taken for the bone", 100.0 * usual_bone),
-                       "add the column where the bone is known (a thigh has about 17 %, an upper arm 25 %, a calf or forearm with two bones 33 %)"});
+                       usual_bone_remedy("column")});
   }
   Limb limb{outline_of(column, "girth", "width_to_depth", "centre_x", "centre_y"),
             outline_of(column, "bone_girth", "bone_width_to_depth", "bone_x", "bone_y"), column.at("height").front(),

@@ -15,7 +15,7 @@ namespace snug::mesh {
 struct GarmentCut {
   input::GarmentSpec spec;
   std::optional<CheckedPattern> pattern;  ///< none of a tube
-  std::optional<NetShape> shape = {};     ///< that it is placed on instead of the skin
+  std::optional<RingNet> shape = {};     ///< that it is placed on instead of the skin
 };
 
 /// Reads and checks the pattern that a garment names, in the size and with the pieces that it wants; settles which piece is of which fabric
@@ -37,7 +37,7 @@ double rise_of(const GarmentCut& cut);
 GarmentFit placed_fit(const GarmentCut& cut, const Limb& limb);
 GarmentFit placed_fit(const GarmentCut& cut, const DressForm& form);
 
-/// On a limb, and from there on the net of its shape if it has one (NetShape). A tube as make_tube_mesh has it; of a pattern the pieces meshed with edges of about `worn_size` as worn (`spec.cell_size` on
+/// On a limb, and from there on the net of its shape if it has one (net_shape.hpp). A tube as make_tube_mesh has it; of a pattern the pieces meshed with edges of about `worn_size` as worn (`spec.cell_size` on
 /// the pattern where the case gives one), sewn, and placed as place_on_limb does. Open edges have the pattern's names; edges of pieces that the
 /// garment is held at ("front.waist") theirs. Throws input::InputError.
 GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double worn_size, double lift = 2e-4);

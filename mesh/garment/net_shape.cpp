@@ -1,7 +1,6 @@
 #include "mesh/garment/net_shape.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,70 +21,12 @@ using input::InputError;
 
 constexpr double most_points = 1e6;  // of the subdivided net
 
-const Named<Net>& chosen(const CurveSet& set, const input::ShapeSpec& spec) {
-  std::vector<std::string> names;
-  for (const Named<Net>& one : set.nets) names.push_back("\"" + one.name + "\"");
-  if (set.nets.empty()) throw InputError(spec.where, fmt::format("there is no net in {}", spec.net.filename().string()), "give it one under \"nets\" (docs/curves.md)");
-  if (spec.name.empty() && set.nets.size() > 1)
-    throw InputError(spec.where, fmt::format("{} has {} nets", spec.net.filename().string(), set.nets.size()), fmt::format("say which by name: {}", fmt::join(names, ", ")));
-  const auto it = std::find_if(set.nets.begin(), set.nets.end(), [&](const Named<Net>& one) { return spec.name.empty() || one.name == spec.name; });
-  if (it == set.nets.end())
-    throw InputError(spec.where, fmt::format("there is no net \"{}\" in {}", spec.name, spec.net.filename().string()), fmt::format("it has {}", fmt::join(names, ", ")));
-  return *it;
-}
-
-Net transposed(const Net& net) {
-  Net result{.rows = net.columns, .columns = net.rows, .rows_closed = net.columns_closed, .columns_closed = net.rows_closed, .points = net.points};
-  for (int i = 0; i < net.rows; ++i)
-    for (int j = 0; j < net.columns; ++j) result.points.col(j * net.rows + i) = net.points.col(i * net.columns + j);
-  return result;
-}
-
-Net reordered(const Net& net, bool rows, bool columns) {
-  Net result = net;
-  for (int i = 0; i < net.rows; ++i)
-    for (int j = 0; j < net.columns; ++j)
-      result.points.col(i * net.columns + j) = net.points.col((rows ? net.rows - 1 - i : i) * net.columns + (columns ? net.columns - 1 - j : j));
-  return result;
-}
-
-Eigen::Vector3d point(const Net& net, int row, int column) { return net.points.col(row * net.columns + (column + net.columns) % net.columns); }
-
-double area_of_row(const Net& net, int row) {
-  double twice = 0.0;
-  for (int j = 0; j < net.columns; ++j) {
-    const Eigen::Vector3d a = point(net, row, j), b = point(net, row, j + 1);
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
-}
-
-/// Rows from below, columns counter-clockwise.
-Net upright(Net net, const NetShape& shape) {
-  if (net.points.rows() != 3 || net.rows_closed == net.columns_closed)
-    throw InputError(shape.where, shape.text + " does not go round the body: it is to be closed in one direction and open in the other",
-                     "write \"closed\": [false, true] for rows of points that each go once round");
-  if (net.rows_closed) net = transposed(net);
-  if (net.columns < 4) throw InputError(shape.where, fmt::format("{} has {} points round the body", shape.text, net.columns), "give it four at least");
-  double rise = 0.0, turn = 0.0;
-  for (int i = 0; i < net.rows; ++i) turn += area_of_row(net, i);
-  for (int j = 0; j < net.columns; ++j) rise += point(net, net.rows - 1, j).z() - point(net, 0, j).z();
-  return reordered(net, rise < 0.0, turn < 0.0);
-}
-
-void check_rises(const Net& net, const NetShape& shape) {
-  for (int j = 0; j < net.columns; ++j)
-    for (int i = 0; i + 1 < net.rows; ++i)
-      if (!(point(net, i + 1, j).z() > point(net, i, j).z()))
-        throw InputError(shape.where, fmt::format("{} does not go up everywhere: at {:.0f} mm a point lies below the one of the row before it", shape.text, 1e3 * point(net, i, j).z()),
-                         "let each row lie above the one before it, in the body's frame (z along the axis)");
-}
-
 /// A column of the net at a height, upright beyond its ends.
 Eigen::Vector3d at_height(const Net& net, int column, double z) {
-  const auto height = [&](int row) { return point(net, row, column).z(); };
+  const auto point = [&](int row) { return net_point(net, row, column); };
+  const auto height = [&](int row) { return point(row).z(); };
   if (z <= height(0) || z >= height(net.rows - 1)) {
-    const Eigen::Vector3d end = point(net, z <= height(0) ? 0 : net.rows - 1, column);
+    const Eigen::Vector3d end = point(z <= height(0) ? 0 : net.rows - 1);
     return {end.x(), end.y(), z};
   }
   int below = 0, above = net.rows - 1;
@@ -94,10 +35,10 @@ Eigen::Vector3d at_height(const Net& net, int column, double z) {
     (height(middle) <= z ? below : above) = middle;
   }
   const double t = (z - height(below)) / (height(above) - height(below));
-  return (1.0 - t) * point(net, below, column) + t * point(net, above, column);
+  return (1.0 - t) * point(below) + t * point(above);
 }
 
-void check_stretch(const NetShape& shape, const GarmentMesh& mesh) {
+void check_stretch(const RingNet& shape, const GarmentMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& n = mesh.triangles[t];
     const Eigen::Vector2d stretch = principal_stretches(n, mesh.pattern, mesh.placed);
@@ -109,19 +50,16 @@ void check_stretch(const NetShape& shape, const GarmentMesh& mesh) {
 
 }  // namespace
 
-NetShape read_net_shape(const input::ShapeSpec& spec) {
-  const CurveSet set = parse_curve_json(input::read_file(spec.net), spec.net.string());
-  const Named<Net>& named = chosen(set, spec);
-  NetShape shape{.net = {}, .text = fmt::format("the net {}{}", named.name.empty() ? "" : named.name + " of ", spec.net.filename().string()), .where = spec.where};
-  shape.net = upright(named.shape, shape);
+RingNet read_net_shape(const input::ShapeSpec& spec) {
+  RingNet shape = ring_net(parse_curve_json(input::read_file(spec.net), spec.net.string()), spec.net, spec.name, spec.where);
   if (static_cast<double>(shape.net.points.cols()) * std::pow(4.0, spec.subdivide) > most_points)
     throw InputError(shape.where, fmt::format("{} has {} points, subdivided {} times too many", shape.text, shape.net.points.cols(), spec.subdivide), "subdivide less");
   for (int step = 0; step < spec.subdivide; ++step) shape.net = curves::subdivided(shape.net);
-  check_rises(shape.net, shape);
+  check_rises(shape);
   return shape;
 }
 
-Eigen::Vector3d on_ray(const NetShape& shape, const Eigen::Vector2d& centre, double angle, double z) {
+Eigen::Vector3d on_ray(const RingNet& shape, const Eigen::Vector2d& centre, double angle, double z) {
   const Eigen::Vector2d ray(std::cos(angle), std::sin(angle));
   const auto side = [&](const Eigen::Vector3d& p) { return ray.x() * (p.y() - centre.y()) - ray.y() * (p.x() - centre.x()); };
   const auto ahead = [&](const Eigen::Vector3d& p) { return ray.dot(p.head<2>() - centre) > 0.0; };
@@ -158,7 +96,7 @@ Eigen::Vector3d normal_below(const Limb& limb, const Eigen::Vector2d& centre, co
 }
 
 /// How far (m) a point has to go along a direction to come to the shape; 0 where it lies outside already. By regula falsi (Illinois).
-double way_out(const NetShape& shape, const Eigen::Vector2d& centre, const Eigen::Vector3d& x, const Eigen::Vector3d& direction) {
+double way_out(const RingNet& shape, const Eigen::Vector2d& centre, const Eigen::Vector3d& x, const Eigen::Vector3d& direction) {
   const auto outside = [&](double way) {
     const Eigen::Vector3d p = x + way * direction;
     const Eigen::Vector2d from = p.head<2>() - centre;
@@ -184,7 +122,7 @@ double way_out(const NetShape& shape, const Eigen::Vector2d& centre, const Eigen
 
 }  // namespace
 
-void lay_on(const NetShape& shape, const Limb& limb, GarmentMesh& mesh) {
+void lay_on(const RingNet& shape, const Limb& limb, GarmentMesh& mesh) {
   std::map<double, Eigen::Vector2d> centres;  // the nodes of an edge share a height
   for (Eigen::Vector3d& x : mesh.placed) {
     auto it = centres.find(x.z());

@@ -109,7 +109,7 @@ TEST_F(NetShapes, WhereTheNetCutsIntoTheBodyClothStaysOnTheSkin) {
 }
 
 TEST_F(NetShapes, BeyondItsEndsItGoesOnUpright) {
-  const NetShape shape = read_net_shape(written({net({0.05, 0.06, 0.07}, 12, [](double z, double) { return z; })}));
+  const RingNet shape = read_net_shape(written({net({0.05, 0.06, 0.07}, 12, [](double z, double) { return z; })}));
   EXPECT_NEAR(on_ray(shape, {0, 0}, 0.0, 0.01).x(), 0.05, 1e-12);
   EXPECT_NEAR(on_ray(shape, {0, 0}, 0.0, 0.3).x(), 0.07, 1e-12);
   EXPECT_NEAR(on_ray(shape, {0, 0}, 0.0, 0.055).x(), 0.055, 1e-12);

@@ -32,6 +32,14 @@ TEST(SizeSearch, MeetsOnePressureInThreeSolutions) {
   }
 }
 
+TEST(SizeSearch, MeetsAtOnceWhatIsOffByTheSameFactorAtEverySize) {
+  // The first solution tells the factor 0.7, so that the second is exact.
+  SizeSearch search({6.0}, [](std::size_t, double size) { return cheap(size); }, 0.4, 1.02);
+  const double first = search.next();
+  search.found(first, {0.7 * cheap(first)});
+  EXPECT_NEAR(0.7 * cheap(search.next()), 6.0, 1e-5);
+}
+
 TEST(SizeSearch, OfSeveralTheSquaresAreLeast) {
   // Two places of which one has twice the pressure of the other at any size: wanted alike, the least squares of (p/w - 1) and (2p/w - 1) are at p = 0.6 w.
   SizeSearch search({10.0, 10.0}, [](std::size_t place, double size) { return (place ? 2.0 : 1.0) * cheap(size); }, 0.4, 1.02);
