@@ -20,7 +20,7 @@ using curves::Net;
 Net shrunk(Net net, double share) {
   for (int i = 0; i < net.rows; ++i) {
     auto row = net.points.middleCols(i * net.columns, net.columns);
-    const Eigen::Vector3d middle = row.rowwise().mean();
+    const Eigen::Vector3d middle = middle_of_row(net, i);
     row = ((share * (row.colwise() - middle)).colwise() + middle).eval();
   }
   return net;
@@ -40,7 +40,7 @@ std::unique_ptr<Outline> outline_of(const RingNet& ring) {
 void check_size(const Limb& limb, const RingNet& ring) {
   const double girth = limb.girth(0.5 * (limb.lower + limb.upper));
   if (girth > 0.01 && girth < 5.0) return;
-  throw input::InputError(ring.where, fmt::format("the girth of {} is {:.4g} m half way up", ring.text, girth), "look at \"unit\" in the file, e.g. \"1 mm\"; left out it is 1 m");
+  throw input::InputError(ring.where, fmt::format("the girth of {} is {:.4g} m half way up", ring.text, girth), "look at \"unit\" in the file, e.g. \"1 mm\"");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/curves/interpolation.hpp"
+#include "mesh/formats/ring_net.hpp"
 
 namespace snug::mesh {
 
@@ -16,13 +17,11 @@ using curves::Net;
 
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-Eigen::Vector3d middle(const Net& net, int row) { return net.points.middleCols(row * net.columns, net.columns).rowwise().mean(); }
-
 /// Turns of the columns, each the mean over the rows of the angle from the row's middle, from column to column less than half a turn.
 std::vector<double> turns_of(const Net& net, const std::string& text, const input::Location& where) {
   std::vector<double> turns(net.columns, 0.0);
   for (int i = 0; i < net.rows; ++i) {
-    const Eigen::Vector3d centre = middle(net, i);
+    const Eigen::Vector3d centre = middle_of_row(net, i);
     double before = 0.0, first = 0.0;
     for (int j = 0; j <= net.columns; ++j) {
       const Eigen::Vector3d from = net.points.col(i * net.columns + j % net.columns) - centre;
@@ -60,7 +59,7 @@ std::size_t span(const std::vector<double>& ends, double at) {
 SplineOutline::SplineOutline(const Net& sections, const std::string& text, const input::Location& where) {
   const std::vector<double> turns = turns_of(sections, text, where);
   std::vector<double> heights;
-  for (int i = 0; i < sections.rows; ++i) heights.push_back(middle(sections, i).z());
+  for (int i = 0; i < sections.rows; ++i) heights.push_back(middle_of_row(sections, i).z());
   const double beyond = 4.0 * (heights.back() - heights.front());  // no garment goes further
   const curves::BSplineSurface surface = curves::surface_through(sections, heights, turns, 1.0, beyond);
   rows_ = distinct(surface.knots[0]);
@@ -71,7 +70,7 @@ SplineOutline::SplineOutline(const Net& sections, const std::string& text, const
 
 void SplineOutline::check_rise(const Net& sections, const std::string& text, const input::Location& where) const {
   constexpr int rows = 200, turns = 90;
-  const double low = middle(sections, 0).z(), high = middle(sections, sections.rows - 1).z();
+  const double low = middle_of_row(sections, 0).z(), high = middle_of_row(sections, sections.rows - 1).z();
   for (int j = 0; j < turns; ++j)
     for (int i = 0; i <= rows; ++i) {
       const double u = low + (high - low) * i / rows, v = round(static_cast<double>(j) / turns);

@@ -1,6 +1,6 @@
 #include "mesh/curves/interpolation.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <cassert>
 #include <vector>
@@ -43,7 +43,7 @@ Solution open(std::span<const double> at, double beyond) {
     conditions.row(values + n) = derivative_point(knots, n) - derivative_point(knots, n + 1);
     conditions.row(values + 2 + n) = derivative_point(knots, points - 2 - n) - derivative_point(knots, points - 3 - n);
   }
-  return {std::move(knots), conditions.partialPivLu().inverse().leftCols(values)};
+  return {std::move(knots), conditions.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(points, values))};
 }
 
 /// The knots go on round, and so do the control points: as many as values, the first three once more.
@@ -57,7 +57,7 @@ Solution closed(std::span<const double> at, double period) {
     const Eigen::VectorXd bases = bases_at(knots, at[n]);
     for (Eigen::Index k = 0; k < bases.size(); ++k) conditions(n, k % values) += bases[k];
   }
-  const Eigen::MatrixXd once = conditions.partialPivLu().inverse();
+  const Eigen::MatrixXd once = conditions.colPivHouseholderQr().solve(Eigen::MatrixXd::Identity(values, values));
   Eigen::MatrixXd all(values + cubic, values);
   for (Eigen::Index k = 0; k < all.rows(); ++k) all.row(k) = once.row(k % values);
   return {std::move(knots), std::move(all)};

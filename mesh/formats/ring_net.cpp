@@ -77,6 +77,19 @@ RingNet ring_net(const CurveSet& set, const std::filesystem::path& file, const s
 
 Eigen::Vector3d net_point(const Net& net, int row, int column) { return net.points.col(row * net.columns + (column + net.columns) % net.columns); }
 
+Eigen::Vector3d middle_of_row(const Net& net, int row) {
+  const Eigen::Vector3d mean = net.points.middleCols(row * net.columns, net.columns).rowwise().mean();
+  double twice = 0.0;
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();  // of triangles from the mean of the points, by their centroids
+  for (int j = 0; j < net.columns; ++j) {
+    const Eigen::Vector2d a = (net_point(net, row, j) - mean).head<2>(), b = (net_point(net, row, j + 1) - mean).head<2>();
+    const double cross = a.x() * b.y() - a.y() * b.x();
+    twice += cross, moment += cross * (a + b) / 3.0;
+  }
+  if (!(twice > 0.0)) return mean;
+  return {mean.x() + moment.x() / twice, mean.y() + moment.y() / twice, mean.z()};
+}
+
 void check_rises(const RingNet& ring) {
   const Net& net = ring.net;
   for (int j = 0; j < net.columns; ++j)

@@ -24,6 +24,9 @@ RingNet ring_net(const CurveSet& set, const std::filesystem::path& file, const s
 /// Point of a row and a column, which goes on round.
 Eigen::Vector3d net_point(const curves::Net& net, int row, int column);
 
+/// Middle of the area that a row goes round, at its mean height.
+Eigen::Vector3d middle_of_row(const curves::Net& net, int row);
+
 /// Throws input::InputError where a point does not lie above that of the row before it.
 void check_rises(const RingNet& ring);
 

@@ -151,6 +151,7 @@ struct LinearSolver::Petsc {
   Vec right = nullptr, solution = nullptr;
   KSP ksp = nullptr;
   FactorKind kind = FactorKind::double_precision;
+  double memory = 0.0;  ///< bytes that the program may take
   std::unique_ptr<Preconditioner> inverse = mumps_factor(kind);  ///< of the last matrix that was factored; its pattern may be an earlier one
   bool factored = false;    ///< `inverse` can be applied
   bool analysed = false;    ///< `inverse` is of the present pattern
@@ -172,7 +173,7 @@ struct LinearSolver::Petsc {
     if (wanted == kind) return;
     kind = wanted;
     factored = analysed = false;
-    inverse = mumps_factor(kind);
+    inverse = mumps_factor(kind, memory);
     use_inverse();
   }
   /// A factor that is nearer to the matrix: of the whole instead of its symmetric part, then in double precision. False: there is none.
@@ -258,6 +259,15 @@ LinearSolver::LinearSolver() : petsc_(std::make_unique<Petsc>()) {}
 LinearSolver::~LinearSolver() = default;
 LinearSolver::LinearSolver(LinearSolver&&) noexcept = default;
 LinearSolver& LinearSolver::operator=(LinearSolver&&) noexcept = default;
+
+void LinearSolver::may_take(double memory) {
+  Petsc& p = *petsc_;
+  if (memory == p.memory) return;
+  p.memory = memory;
+  p.factored = p.analysed = false;
+  p.inverse = mumps_factor(p.kind, memory);
+  if (p.ksp) p.use_inverse();
+}
 
 void LinearSolver::reset(SparseScatter& scatter, int unknowns, bool symmetric) {
   Petsc& p = *petsc_;

@@ -43,6 +43,9 @@ class LinearSolver {
   LinearSolver(LinearSolver&&) noexcept;
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
+  /// Bytes that the program may take on all ranks together (mumps_factor); 0: there is no bound. From the next factor of another kind or pattern on.
+  void may_take(double memory);
+
   /// Takes over a new sparsity pattern of a scatter that outlives its use here. The last factor is kept as a
   /// preconditioner where the unknowns are as many as before; the next factorisation analyses anew.
   void reset(SparseScatter& scatter, int unknowns, bool symmetric = true);

@@ -4,7 +4,10 @@
 #include <smumps_c.h>
 
 #include <cstddef>
+#include <cstring>
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -12,6 +15,7 @@
 #include "solver/algebra/blas_threads.hpp"
 #include "solver/algebra/communicator.hpp"
 #include "solver/algebra/elimination_order.hpp"
+#include "solver/algebra/memory.hpp"
 #include "solver/algebra/preconditioner.hpp"
 
 namespace snug::solver {
@@ -50,7 +54,7 @@ class MumpsFactor : public Preconditioner {
   using Real = typename Precision::Real;
 
  public:
-  explicit MumpsFactor(bool low_rank) : low_rank_(low_rank) {}
+  MumpsFactor(bool low_rank, double memory) : low_rank_(low_rank), memory_(memory) {}
   MumpsFactor(const MumpsFactor&) = delete;
   MumpsFactor& operator=(const MumpsFactor&) = delete;
   ~MumpsFactor() override { clear(); }
@@ -85,7 +89,8 @@ class MumpsFactor : public Preconditioner {
     if (!analysed_) return {};
     std::string text = ordered_ ? "ordered by METIS" : "ordered by minimum degree";
     text += std::is_same_v<Real, float> ? ", single precision" : ", double precision";
-    return low_rank_ ? text + ", block low-rank" : text;
+    if (low_rank_ && !on_disk_) text += ", block low-rank";
+    return on_disk_ ? text + ", written to disk" : text;
   }
 
   void clear() override {
@@ -93,7 +98,7 @@ class MumpsFactor : public Preconditioner {
     VecDestroy(&on_first_);
     if (started_) run(-2);
     give_memory_back();
-    started_ = analysed_ = false;
+    started_ = analysed_ = on_disk_ = false;
     negative_pivots_ = -1;
   }
 
@@ -179,11 +184,30 @@ class MumpsFactor : public Preconditioner {
     mumps_.perm_in = place_.data();
     mumps_.nblk = static_cast<int>(blocks.size()) - 1, mumps_.blkptr = blocks.data();
     run(1);
+    if (mumps_.infog[0] >= 0 && !fits()) {
+      put_on_disk();
+      run(1);
+    }
     mumps_.perm_in = mumps_.blkptr = nullptr;
     ordered_ = mumps_.infog[6] == 1;  // what ran, not what was asked for
     analysed_ = mumps_.infog[0] >= 0;
     give_memory_back();
     return analysed_;
+  }
+
+  /// MUMPS' estimate for all ranks beside what they hold already, known to all of them alike.
+  bool fits() const {
+    if (memory_ <= 0.0) return true;
+    const double megabytes = low_rank_ ? mumps_.infog[36] : mumps_.infog[16];
+    return sum_over_ranks(resident_memory()) + 1e6 * megabytes <= memory_;
+  }
+  /// Blocks that go to disk are those of full rank.
+  void put_on_disk() {
+    on_disk_ = true;
+    control(22) = 1;
+    control(35) = 0;
+    const std::string folder = std::filesystem::temp_directory_path().string();
+    std::strncpy(mumps_.ooc_tmpdir, folder.c_str(), sizeof mumps_.ooc_tmpdir - 1);
   }
 
   bool factor() {
@@ -213,7 +237,9 @@ class MumpsFactor : public Preconditioner {
   }
 
   bool low_rank_;
+  double memory_;         ///< bytes, of the program on all ranks; 0: no bound
   bool started_ = false, analysed_ = false;
+  bool on_disk_ = false;
   bool ordered_ = false;  ///< by METIS
   typename Precision::Instance mumps_ = {};
   std::vector<int> vertices_, place_;  ///< of the last order: where vertices start, and on the first rank the places of the unknowns
@@ -225,9 +251,9 @@ class MumpsFactor : public Preconditioner {
 
 }  // namespace
 
-std::unique_ptr<Preconditioner> mumps_factor(FactorKind kind) {
-  if (kind == FactorKind::double_precision) return std::make_unique<MumpsFactor<DoublePrecision>>(false);
-  return std::make_unique<MumpsFactor<SinglePrecision>>(kind == FactorKind::low_rank);
+std::unique_ptr<Preconditioner> mumps_factor(FactorKind kind, double memory) {
+  if (kind == FactorKind::double_precision) return std::make_unique<MumpsFactor<DoublePrecision>>(false, memory);
+  return std::make_unique<MumpsFactor<SinglePrecision>>(kind == FactorKind::low_rank, memory);
 }
 
 }  // namespace snug::solver

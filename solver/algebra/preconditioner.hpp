@@ -36,6 +36,9 @@ enum class FactorKind { double_precision, single_precision, low_rank };
 /// MUMPS, multifrontal: LDL^T for a symmetric matrix, LU for others, in the order of `nested_dissection`.
 /// Sources: Amestoy, Duff, L'Excellent & Koster, SIAM J. Matrix Anal. Appl. 23 (2001) 15-41; Amestoy, Buttari, L'Excellent & Mary,
 /// ACM Trans. Math. Software 45 (2019) 2 (low rank).
-std::unique_ptr<Preconditioner> mumps_factor(FactorKind kind);
+///
+/// `memory`: bytes that this program may take on all ranks together. A factor that would take it over that is written to the folder for temporary files as
+/// it is made, and read again at every application: the fronts alone are in memory then, and no block is compressed. 0: there is no bound.
+std::unique_ptr<Preconditioner> mumps_factor(FactorKind kind, double memory = 0.0);
 
 }  // namespace snug::solver

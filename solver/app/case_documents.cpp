@@ -77,7 +77,7 @@ Json plan_json(const solver::Plan& plan) {
   Json unknowns = Json::object();
   for (const auto& [part, count] : plan.unknowns) unknowns[part] = count, total += count;
   unknowns["total"] = total;
-  return {{"tier", plan.tier}, {"in", plan.parts_in}, {"out", plan.parts_out}, {"unknowns", unknowns}, {"memory_bytes", known(plan.memory_bytes)}, {"seconds", known(plan.seconds)}};
+  return {{"tier", plan.tier}, {"in", plan.parts_in}, {"out", plan.parts_out}, {"unknowns", unknowns}, {"memory_bytes", known(plan.memory_bytes)}, {"disk_bytes", plan.disk_bytes}, {"seconds", known(plan.seconds)}};
 }
 
 void add_meshes(Json& json, const PreparedCase& prepared) {

@@ -13,7 +13,7 @@ namespace snug::app {
 
 using postproc::Json;
 
-/// {"tier", "in", "out", "unknowns", "memory_bytes", "seconds"}; what is not known is null.
+/// {"tier", "in", "out", "unknowns", "memory_bytes", "disk_bytes", "seconds"}; what is not known is null.
 Json plan_json(const solver::Plan& plan);
 /// Adds "layers", "garments" and, of scans, "scan" and "girths".
 void add_meshes(Json& json, const PreparedCase& prepared);

@@ -113,6 +113,7 @@ int launch_ranks(int ranks, const Cleaner& cleaner, Console& console) {
   std::vector<char*> arguments;
   for (const std::string& word : line) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  ::setenv("TMPDIR", scratch.path().c_str(), 1);  // of the ranks
   const pid_t launcher = ::getpid(), child = ::fork();
   if (child == 0) become_mpirun(arguments.data(), launcher);
   if (child < 0) throw std::runtime_error("no child process can be started");

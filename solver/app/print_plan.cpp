@@ -29,6 +29,7 @@ std::string plan_text(const std::string& title, const solver::Plan& plan) {
   }
   text += fmt::format("  unknowns {}{}\n", total, parts.empty() ? "" : " (" + parts + ")");
   if (plan.memory_bytes > 0.0) text += fmt::format("  memory expected {}\n", memory_text(plan.memory_bytes));
+  if (plan.disk_bytes > 0.0) text += fmt::format("  disk expected   {}\n", memory_text(plan.disk_bytes));
   if (plan.seconds > 0.0) text += fmt::format("  time expected {}\n", duration_text(plan.seconds));
   return text;
 }

@@ -222,13 +222,13 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
 }
 
 Plan plan(const PreparedCase& prepared) {
-  Plan planned = plan(prepared.model, prepared.meshes);
+  Plan planned = plan(prepared.model, prepared.meshes, prepared.memory_limit);
   refuse_large_plan(planned, prepared.memory_limit, prepared.description);
   return planned;
 }
 
 postproc::RunResult solve(const PreparedCase& prepared, const Observer& observer, const KeptStates& kept, const Stop& stop, Journal* journal) {
-  postproc::RunResult run = solve(prepared.model, prepared.meshes, observer, kept, stop, journal);
+  postproc::RunResult run = solve(prepared.model, prepared.meshes, observer, kept, stop, journal, prepared.memory_limit);
   for (const input::Diagnostic& warning : prepared.warnings)
     run.warnings.push_back({"the input", warning.found, place_text(warning.where), warning.remedy, {}});
   run.fit = fit_of(prepared.meshes);

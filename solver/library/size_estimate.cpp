@@ -1,10 +1,13 @@
 #include "solver/library/size_estimate.hpp"
 
 #include <fmt/format.h>
+#include <linux/magic.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 namespace snug::solver {
@@ -35,12 +38,22 @@ BodySize body_size(const input::BodySpec& body, double around, double along, dou
 
 double body_bytes(const input::BodySpec& body, double around, double along, double through, bool deformable) {
   const BodySize size = body_size(body, around, along, through);
-  return meshing_node * size.nodes + memory_of_run(0.0, deformable ? size.unknowns : 0.0);
+  return meshing_node * size.nodes + need_of_run(0.0, deformable ? size.unknowns : 0.0).memory_beside_disk;
 }
 
 // docs/growth.md has the times on one rank and on two.
 constexpr double two_ranks_from = 1e5;  // unknowns of the body
 constexpr double memory_of_two = 1.4;   // over that of one rank
+
+/// A folder in memory (tmpfs) would take what is to be saved.
+void refuse_small_disk(double bytes, const std::filesystem::path& folder, const input::Location& where) {
+  struct statfs about {};
+  if (::statfs(folder.c_str(), &about) != 0) return;  // it is told when it is written to
+  const std::string found = fmt::format("the factor of the matrix does not fit into memory and takes {} on disk; ", gigabytes(bytes)), remedy = "set TMPDIR to a folder on a larger disk, or take fewer cells";
+  if (about.f_type == TMPFS_MAGIC || about.f_type == RAMFS_MAGIC) throw input::InputError(where, found + folder.string() + " is itself in memory", remedy);
+  const double room = static_cast<double>(about.f_bavail) * static_cast<double>(about.f_bsize);
+  if (bytes > room) throw input::InputError(where, fmt::format("{}there are {} in {}", found, gigabytes(room), folder.string()), remedy);
+}
 
 }  // namespace
 
@@ -58,7 +71,7 @@ int usual_ranks(const input::Case& description, unsigned cores, double memory) {
   if (!lattice || description.solver.tier != input::Tier::L4 || cores < 2) return 1;
   const input::BodySpec& body = *description.body;
   const double unknowns = body_size(body, body.cells_around, body.cells_along, solid_cells(body)).unknowns;
-  return unknowns >= two_ranks_from && memory_of_two * memory_of_run(0.0, unknowns) <= 0.5 * memory ? 2 : 1;
+  return unknowns >= two_ranks_from && memory_of_two * need_of_run(0.0, unknowns).memory <= 0.5 * memory ? 2 : 1;
 }
 
 void refuse_large_body(const input::Case& description, double limit) {
@@ -79,7 +92,7 @@ void refuse_large_garment(const mesh::GarmentCut& garment, double cell_size, dou
   const double sides = border / cell_size;
   const double triangles = area / (0.433 * cell_size * cell_size) + sides;  // equilateral, and at least one at each edge of the rim
   const double unknowns = 3.0 * triangles * (garment.spec.order == 2 ? 2.0 : 0.5);
-  const double bytes = triangles * meshing_triangle + memory_of_run(unknowns, 0.0);
+  const double bytes = triangles * meshing_triangle + need_of_run(unknowns, 0.0).memory;
   if (bytes <= limit) return;
   throw input::InputError(garment.spec.where,
                           fmt::format("a pattern of {:.4g} m2 in triangles of {:.3g} mm has about {:.2g} of them, which take about {}; there are {}",
@@ -89,10 +102,11 @@ void refuse_large_garment(const mesh::GarmentCut& garment, double cell_size, dou
 }
 
 void refuse_large_plan(const solver::Plan& plan, double limit, const input::Case& description) {
-  if (plan.memory_bytes <= limit) return;
-  throw input::InputError({(description.directory / "case.toml").string(), 0, 0},
-                          fmt::format("the case is expected to take {}, there are {}", gigabytes(plan.memory_bytes), gigabytes(limit)),
-                          "take fewer cells; --memory says what may be taken");
+  const input::Location where{(description.directory / "case.toml").string(), 0, 0};
+  if (plan.memory_bytes > limit)
+    throw input::InputError(where, fmt::format("the case is expected to take {}, there are {}", gigabytes(plan.memory_bytes), gigabytes(limit)),
+                            "take fewer cells; --memory says what may be taken");
+  if (plan.disk_bytes > 0.0) refuse_small_disk(plan.disk_bytes, std::filesystem::temp_directory_path(), where);
 }
 
 }  // namespace snug::solver

@@ -275,11 +275,15 @@ bool bends(const Model& model, const Meshes& meshes) {
   return false;
 }
 
+// With the factor on disk, by unknowns of the body: 1.36 and 2.6 GB of memory, 0.6 and 1.7 GB of disk at 149,000 and 308,000 (2026-11); the factor of a
+// solid in the order of nested dissection grows with n^(4/3) (George 1973).
+constexpr double beside_disk = 8.5e3, factor_on_disk = 90.0, slower_on_disk = 1.3;
+
 // Time and memory by unknowns, fitted to the scenes of tests/stability, on two cores (2026-11): a guide, no promise. A body alone
 // takes half the iterations of one with a garment, friction is let go in a stage of its own, which goes step by step where the
 // garment presses harder than the tissue is stiff, and cloth off the skin takes twice as many. A factor in single precision takes
 // about half of all.
-void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
+void estimate(const Model& model, const Meshes& meshes, double memory, Plan& plan) {
   if (model.falls()) {
     const double unknowns = 3.0 * count_particles(meshes.garments.front());
     plan.unknowns["garment"] = static_cast<long>(unknowns);
@@ -294,16 +298,26 @@ void estimate(const Model& model, const Meshes& meshes, Plan& plan) {
   if (model.has_friction()) plan.seconds *= 1.6;
   if (model.has_friction() && body > 0.0 && presses_hard(model, meshes)) plan.seconds *= 5.0;
   if (model.asked.solver.tier != input::Tier::L0 && bends(model, meshes)) plan.seconds *= 2.5;
-  plan.memory_bytes = memory_of_run(rigid, body);
+  const Need need = need_of_run(rigid, body);
+  plan.memory_bytes = need.memory;
+  if (memory <= 0.0 || need.memory <= memory || need.disk <= 0.0) return;
+  plan.parts_in.push_back(fmt::format("factor: written to disk, for it is expected to take {:.3g} GB of {:.3g} in memory, and there are {:.3g}", 1e-9 * need.disk, 1e-9 * need.memory, 1e-9 * memory));
+  plan.memory_bytes = need.memory_beside_disk, plan.disk_bytes = need.disk, plan.seconds *= slower_on_disk;
 }
 
 }  // namespace
 
-double memory_of_run(double rigid, double body) {
-  return 2e8 + 6e3 * rigid + (body + rigid >= single_precision_from ? 1.4e4 : 2.4e4) * body;
+Need need_of_run(double rigid, double body) {
+  const bool single = body + rigid >= single_precision_from;
+  Need need{.memory = 2e8 + 6e3 * rigid + (single ? 1.4e4 : 2.4e4) * body};
+  need.memory_beside_disk = need.memory;
+  if (body <= 0.0 || !single) return need;
+  need.memory_beside_disk = 2e8 + 6e3 * rigid + beside_disk * body;
+  need.disk = factor_on_disk * std::pow(body, 4.0 / 3.0);
+  return need;
 }
 
-Plan plan(const Model& model, const Meshes& meshes) {
+Plan plan(const Model& model, const Meshes& meshes, double memory) {
   Plan plan;
   plan.tier = input::text_of(model.asked.solver.tier);
   list_body(model, meshes, plan);
@@ -313,7 +327,7 @@ Plan plan(const Model& model, const Meshes& meshes) {
   if (model.deformable()) list_free_motions(model, meshes, plan);
   if (!model.asked.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
   if (model.asked.solver.tier != input::Tier::L0 && !model.falls()) count_unknowns(model, meshes, plan);
-  estimate(model, meshes, plan);
+  estimate(model, meshes, memory, plan);
   return plan;
 }
 

@@ -62,10 +62,19 @@ struct Plan {
   std::vector<std::string> parts_out;      ///< "friction: not in the case", ...
   std::map<std::string, long> unknowns;    ///< "body", "garment", "contact"; parts left out do not appear
   double memory_bytes = 0.0, seconds = 0.0;  ///< expected
+  double disk_bytes = 0.0;                   ///< of temporary files, where the factor of the matrix is written to disk
 };
-Plan plan(const Model& model, const Meshes& meshes);
-/// Bytes that a run takes by its unknowns, on the rigid skin (garments and contacts) and of a body that deforms.
-double memory_of_run(double rigid, double body);
+/// `memory`: bytes that the run may take; 0: there is no bound. Where it would take more the factor goes to disk.
+Plan plan(const Model& model, const Meshes& meshes, double memory = 0.0);
+
+/// Bytes that a run takes.
+struct Need {
+  double memory = 0.0;                     ///< all of it
+  double memory_beside_disk = 0.0;         ///< with the factor of the matrix on disk,
+  double disk = 0.0;                       ///< where it takes this
+};
+/// By its unknowns, on the rigid skin (garments and contacts) and of a body that deforms.
+Need need_of_run(double rigid, double body);
 
 struct Progress {
   std::string phase;                 ///< "rigid skin", "body", ...
@@ -92,8 +101,9 @@ class Journal;
 
 /// Solves the scene of the case. Never throws for lack of convergence: the last converged state comes back with its status.
 /// With a journal (solver/stepping/journal.hpp) it goes on from what is recorded there and records more.
+/// `memory`: bytes that it may take on all ranks together; a factor that would take more is written to disk (0: there is no bound).
 /// Throws input::InputError when the scene cannot have an equilibrium or names parts that do not fit together.
 postproc::RunResult solve(const Model& model, const Meshes& meshes, const Observer& observer = {},
-                          const KeptStates& kept = {}, const Stop& stop = {}, Journal* journal = nullptr);
+                          const KeptStates& kept = {}, const Stop& stop = {}, Journal* journal = nullptr, double memory = 0.0);
 
 }  // namespace snug::solver

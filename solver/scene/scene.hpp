@@ -92,6 +92,8 @@ class Scene {
   bool factor_is_of_minimum() const { return of_minimum_; }
   /// After `solve` at the state: the step that other forces (one value an entry) ask for, with the same matrix.
   bool respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step);
+  /// Bytes that the program may take on all ranks together (mumps_factor); 0: there is no bound.
+  void may_take(double memory) { solver_.may_take(memory); }
   /// Gives the memory of matrix and factor back; the next update builds them anew.
   void drop_matrix();
   /// What was spent since the last call.

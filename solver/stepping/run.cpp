@@ -37,10 +37,10 @@ constexpr std::array<double, 2> spread = {0.5, 0.1};
 /// One run: the parts of the flow share the clock, the observer and the result.
 class Run {
  public:
-  Run(const Model& model, const Meshes& meshes, const Observer& observer, const KeptStates& kept, const Stop& stop, Journal* journal)
+  Run(const Model& model, const Meshes& meshes, const Observer& observer, const KeptStates& kept, const Stop& stop, Journal* journal, double memory)
       : model_(model), worn_(model.has_friction() ? model : model.with_friction(usual_friction)), meshes_(meshes), kept_(kept), stop_(stop),
-        journal_(journal), log_(result_, observer) {
-    const Plan parts = plan(model, meshes);
+        journal_(journal), memory_(memory), log_(result_, observer) {
+    const Plan parts = plan(model, meshes, memory);
     result_.title = model.asked.title;
     result_.tier = parts.tier;
     result_.unknowns = parts.unknowns;
@@ -130,6 +130,7 @@ class Run {
     if (before && before->model == stage.model && before->skin == stage.skin) return trail.back();
     if (before) trail.back().scene->drop_matrix();  // the next one needs the memory
     Standing at{std::make_shared<Scene>(make_scene(*stage.model, meshes_, stage.skin)), {}};
+    at.scene->may_take(memory_);
     log_.phase("set-up");
     at.state = placed_state(at.scene->layout(), model_, meshes_);
     if (before) {
@@ -310,6 +311,7 @@ class Run {
   const KeptStates& kept_;
   const Stop& stop_;
   Journal* journal_;  ///< may be null
+  double memory_;     ///< bytes that the run may take; 0: no bound
   int stages_ = 0;
   std::vector<std::vector<postproc::ToolRow>> tool_way_;  ///< a list a tool
   int lost_ = 0;      ///< iterations of increments that failed so far
@@ -321,8 +323,8 @@ class Run {
 }  // namespace
 
 postproc::RunResult solve(const Model& model, const Meshes& meshes, const Observer& observer,
-                          const KeptStates& kept, const Stop& stop, Journal* journal) {
-  return Run(model, meshes, observer, kept, stop, journal)();
+                          const KeptStates& kept, const Stop& stop, Journal* journal, double memory) {
+  return Run(model, meshes, observer, kept, stop, journal, memory)();
 }
 
 }  // namespace snug::solver

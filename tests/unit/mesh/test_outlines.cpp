@@ -121,7 +121,7 @@ TEST(SplineOutlines, ComeToTheLimbWithTheFourthPowerOfThePointsDistanceAndItsCur
     }
     return std::pair(place, curvature);
   };
-  const auto coarse = errors(16), fine = errors(32);
+  const auto coarse = errors(32), fine = errors(64);
   EXPECT_NEAR(std::log2(coarse.first / fine.first), 4.0, 0.4);
   EXPECT_NEAR(std::log2(coarse.second / fine.second), 2.0, 0.4);
   EXPECT_LT(fine.second, 0.01);
@@ -140,7 +140,7 @@ TEST_F(OutlineFiles, ALimbOfNetsIsTheLimbOfItsSections) {
   // Sections of a circle of 5 cm: 24 points put the girth 2e-5 beside it (fourth order).
   const Ellipse skin{0.0, 0.05, 0.05, 0.0, 0.0}, bone{0.0, 0.01, 0.01, 0.005, 0.0};
   const Limb straight = straight_limb(skin, bone, 0.0, 0.3);
-  const Limb found = limb({{"bone", points_of(*straight.bone, 3, 12)}, {"skin", points_of(*straight.skin, 4, 24)}});
+  const Limb found = limb({{"bone", points_of(*straight.bone, 3, 24)}, {"skin", points_of(*straight.skin, 4, 24)}});
   EXPECT_NEAR(found.girth(0.17), 2.0 * pi * 0.05, 2e-5 * 2.0 * pi * 0.05);
   EXPECT_NEAR(section_centre(*found.bone, 0.2).x(), 0.005, 1e-6);
   EXPECT_DOUBLE_EQ(found.lower, 0.0);
@@ -156,7 +156,7 @@ TEST_F(OutlineFiles, WithoutABoneAQuarterOfEverySectionIsTakenAndThatIsSaid) {
     EXPECT_NEAR((found.bone->at(0.1, z) - found.bone->at(0.6, z)).norm() / (found.skin->at(0.1, z) - found.skin->at(0.6, z)).norm(), 0.25, 1e-9);
   }
   ASSERT_EQ(found.remarks.size(), 1u);
-  EXPECT_THAT(found.remarks[0].what, HasSubstr("25 % of each section"));
+  EXPECT_THAT(found.remarks[0].found, HasSubstr("25 % of each section"));
 }
 
 TEST_F(OutlineFiles, RowsDownwardsColumnsClockwiseOrALimbFromAnotherPointAreTheSame) {
@@ -183,7 +183,7 @@ TEST_F(OutlineFiles, NetsThatAreNoLimbAreRefusedWithPlaceAndRemedy) {
   bone.points.topRows<2>() *= 1.1;
   EXPECT_THAT(refusal(std::vector<Named<curves::Net>>{{"skin", skin}, {"bone", bone}}), HasSubstr("the bone is outside the skin at height"));
   EXPECT_THAT(refusal(std::vector<Named<curves::Net>>{{"left", skin}, {"right", skin}}), HasSubstr("has 2 nets"));
-  EXPECT_THAT(refusal(std::string("{\"format\": \"snug curves\"}")), HasSubstr("there is no net in"));
+  EXPECT_THAT(refusal(std::string("{\"format\": \"snug curves\", \"unit\": \"1 m\"}")), HasSubstr("there is no net in"));
 }
 
 }  // namespace

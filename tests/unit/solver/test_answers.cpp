@@ -385,6 +385,18 @@ TEST(Numbers, RoundOffIsNoContact) {
   EXPECT_EQ(touching(-1e-14), touching(0.0));
 }
 
+// What does not fit into memory is planned with its factor on disk, which takes less memory and is said; smaller factors stay, and so
+// does everything where there is no bound.
+TEST(NeedOfRun, PutsTheFactorOnDiskWhereMemoryIsShort) {
+  const solver::Need large = solver::need_of_run(5e3, 3e5), small = solver::need_of_run(0.0, 2e4);
+  EXPECT_LT(large.memory_beside_disk, 0.7 * large.memory);
+  EXPECT_GT(large.disk, 1e9);
+  EXPECT_DOUBLE_EQ(small.memory_beside_disk, small.memory);
+  EXPECT_DOUBLE_EQ(small.disk, 0.0);
+  const double growth = solver::need_of_run(0.0, 1e6).disk / solver::need_of_run(0.0, 1e5).disk;
+  EXPECT_NEAR(std::log10(growth), 4.0 / 3.0, 1e-9);  // George 1973
+}
+
 // Two ranks are taken of a body of over 100,000 unknowns that deforms, where there are two cores and memory for both.
 TEST(UsualRanks, FollowSizeCoresAndMemory) {
   input::Case c = describe_tube(coarse());

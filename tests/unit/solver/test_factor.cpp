@@ -1,13 +1,17 @@
 // The order of elimination, factors in both precisions, and when a lagged one gives way.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <petscvec.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <numeric>
 #include <random>
 #include <set>
+#include <unistd.h>
 #include <vector>
 
 #include "solver/algebra/elimination_order.hpp"
@@ -218,6 +222,45 @@ TEST(Factor, EitherPrecisionCountsTheNegativePivotsOfASaddle) {
     EXPECT_EQ(single.second, saddle.constraints) << stiff;
     EXPECT_EQ(applied(FactorKind::low_rank, saddle.matrix).second, saddle.constraints) << stiff;
   }
+}
+
+/// Files of MUMPS in the folder for temporary ones, and their size.
+std::pair<int, double> factors_on_disk() {
+  std::pair<int, double> found = {0, 0.0};
+  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::temp_directory_path()))
+    if (file.path().filename().string().starts_with("mumps_")) ++found.first, found.second += static_cast<double>(file.file_size());
+  return found;
+}
+
+// A factor that may not be in memory is written to disk and inverts the same matrix, of any precision; its files go with it, and when it is made
+// anew.
+TEST(Factor, ThatDoesNotFitIsWrittenToDiskAndItsFilesGoWithIt) {
+  const std::filesystem::path own = std::filesystem::temp_directory_path() / fmt::format("snug-factor-{}", ::getpid());
+  std::filesystem::create_directory(own);
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", own.c_str(), 1);
+  for (const FactorKind kind : {FactorKind::double_precision, FactorKind::single_precision, FactorKind::low_rank}) {
+    auto factor = solver::mumps_factor(kind, 1.0);
+    for (const int far : {17, 29}) {
+      const auto [error, negative] = applied(*factor, ring(200, far), solver::Operand::symmetric);
+      EXPECT_LT(error, kind == FactorKind::double_precision ? 1e-12 : 1e-4);
+      EXPECT_EQ(negative, 0);
+      EXPECT_TRUE(factor->description().ends_with(", written to disk")) << factor->description();
+      const auto [files, bytes] = factors_on_disk();
+      EXPECT_GT(files, 0);
+      EXPECT_GT(bytes, 200 * (6 + 2 * 9) * sizeof(float));  // what the matrix itself has: three unknowns a node, two neighbours
+    }
+    factor.reset();
+    EXPECT_EQ(factors_on_disk().first, 0);
+  }
+  auto fits = solver::mumps_factor(FactorKind::single_precision, 64e9);
+  applied(*fits, ring(200, 17), solver::Operand::symmetric);
+  EXPECT_EQ(factors_on_disk().first, 0);
+  EXPECT_EQ(fits->description().find("disk"), std::string::npos);
+  if (before) ::setenv("TMPDIR", kept.c_str(), 1);
+  else ::unsetenv("TMPDIR");
+  std::filesystem::remove_all(own);
 }
 
 /// Blocks of ten nodes held together by springs of `stiff`, each on a spring of 1 to the ground and one to the next block.
