@@ -37,7 +37,7 @@ class Descriptor {
 std::string reason(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void cannot_write(const fs::path& path, int error) {
-  throw std::runtime_error(path.string() + " cannot be written: " + reason(error));
+  throw fs::filesystem_error("it cannot be written", path, std::error_code(error, std::generic_category()));
 }
 
 Descriptor open_regular(const fs::path& path, const std::string& file, const FileRules& rules) {

@@ -22,10 +22,10 @@ struct FileRules {
 std::string read_file(const std::filesystem::path& path, const FileRules& rules = {});
 
 /// Writes a file aside, brings it to the disk and renames it: under its name there is the earlier content or all of the new
-/// one. Throws std::runtime_error with the system's reason when any of this fails, and then leaves nothing behind.
+/// one. Throws std::filesystem::filesystem_error with the system's reason when any of this fails, and then leaves nothing behind.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Brings the names in a directory to the disk. Throws std::runtime_error.
+/// Brings the names in a directory to the disk. Throws std::filesystem::filesystem_error.
 void sync_directory(const std::filesystem::path& directory);
 
 }  // namespace snug::input

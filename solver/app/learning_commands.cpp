@@ -62,6 +62,16 @@ std::string printed(const Entity& entity, const std::string& item) {
   return datum ? materials::quantity_text(*datum) : "-";
 }
 
+/// Numbers in SI by their names; null where an entity has none.
+Json si_json(const Entity& entity, const std::vector<std::string>& items) {
+  Json json = Json::object();
+  for (const std::string& item : items) {
+    const double number = number_of(entity, item);
+    json[item] = std::isnan(number) ? Json() : Json(number);
+  }
+  return json;
+}
+
 class Near : public LibraryCommand {
  public:
   Near() : LibraryCommand("near", "the entities that are most like one, by their numbers in standard deviations") {}
@@ -83,17 +93,18 @@ class Near : public LibraryCommand {
     const auto own = std::find_if(entities.begin(), entities.end(), [&](const Entity& one) { return one.id == id_; });
     std::vector<std::vector<std::string>> rows{{"id", "distance", "of items"}};
     for (const std::string& item : items) rows.front().push_back(item);
-    const auto add = [&](const Entity& entity, const std::string& distance, const std::string& shared) {
-      rows.push_back({entity.id, distance, shared});
+    Json& told = console().document()["entities"] = Json::array();
+    const auto add = [&](const Entity& entity, double distance, std::size_t shared) {
+      rows.push_back({entity.id, fmt::format("{:.3f}", distance), std::to_string(shared)});
       for (const std::string& item : items) rows.back().push_back(printed(entity, item));
+      told.push_back({{"id", entity.id}, {"distance", distance}, {"of_items", shared}, {"items", si_json(entity, items)}});
     };
-    add(asked, "0", std::to_string(items.size()));
+    add(asked, 0.0, items.size());
     for (const materials::Neighbour& one : materials::neighbours(table_of(entities, items), own - entities.begin())) {
       if (rows.size() > static_cast<std::size_t>(most_) + 1) break;
-      add(entities[static_cast<std::size_t>(one.row)], fmt::format("{:.3f}", one.distance), std::to_string(one.shared));
+      add(entities[static_cast<std::size_t>(one.row)], one.distance, static_cast<std::size_t>(one.shared));
     }
     console().say(aligned(rows));
-    console().document()["entities"] = rows_json(rows);
     return done;
   }
   static std::vector<std::string> own_items(const Entity& asked, const std::vector<Entity>& entities) {
@@ -129,15 +140,17 @@ class Groups : public LibraryCommand {
     console().print("{} {}s in {} groups by {}; {:.1f} % of the variance is between them{}\n", entities.size(), kind_, found.centres.rows(), input::joined(items), 100.0 * found.share_between,
                left_out ? fmt::format("; {} without one of the numbers left out", left_out) : "");
     std::vector<std::vector<std::string>> rows{{"group", "id"}};
+    Json told = Json::array();
     for (const std::string& item : items) rows.front().push_back(item);
     for (int k = 0; k < found.centres.rows(); ++k)
       for (std::size_t r = 0; r < entities.size(); ++r) {
         if (found.of[r] != k) continue;
         rows.push_back({std::to_string(k + 1), entities[r].id});
+        told.push_back({{"group", k + 1}, {"id", entities[r].id}, {"items", si_json(entities[r], items)}});
         for (const std::string& item : items) rows.back().push_back(printed(entities[r], item));
       }
     console().say(aligned(rows));
-    console().document() = {{"share_of_variance_between", found.share_between}, {"entities", rows_json(rows)}};
+    console().document() = {{"share_of_variance_between", found.share_between}, {"entities", told}};
     return done;
   }
   materials::Clusters clusters_of(const std::vector<Entity>& entities, const std::vector<std::string>& items) const {

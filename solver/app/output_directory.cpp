@@ -243,8 +243,8 @@ const fs::path& OutputDirectory::aside() {
   alive_ = std::make_unique<Lock>(aside_, Lock::Wait::no);
   try {
     write_result_list(aside_, {}, false);
-  } catch (const std::runtime_error& error) {
-    throw input::InputError(where, std::string("results cannot be written here: ") + error.what(), "name another place with --out");
+  } catch (const fs::filesystem_error& error) {
+    throw input::InputError(where, "results cannot be written here: " + error.code().message(), "name another place with --out");
   }
   return aside_;
 }

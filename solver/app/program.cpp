@@ -4,11 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include "cases/input/diagnostics.hpp"
 #include "cases/input/suggestion.hpp"
@@ -53,6 +55,13 @@ int said(int status, const std::string& command, Console& console) {
   return status == done ? internal_fault : status;
 }
 
+/// What to do about a path that could not be read or written.
+std::string remedy_of(const std::error_code& error) {
+  if (error == std::errc::no_space_on_device || error.value() == EDQUOT) return "make room there (df -h tells what there is), or name another place with --out";
+  if (error == std::errc::read_only_file_system) return "name another place with --out";
+  return "see what this path leads to and who may read and write it";
+}
+
 /// Runs a command and says what went wrong.
 int execute(Command& command, Console& console) {
   try {
@@ -62,7 +71,7 @@ int execute(Command& command, Console& console) {
     return input_wrong;
   } catch (const std::filesystem::filesystem_error& error) {
     const input::Location where{error.path1().empty() ? command.name() : error.path1().string(), 0, 0};
-    console.error(input::InputError(where, error.code().message(), "see what this path leads to and who may read and write it"));
+    console.error(input::InputError(where, error.code().message(), remedy_of(error.code())));
     return input_wrong;
   } catch (const std::bad_alloc&) {
     console.error(fmt::format("snug {}: error: the memory of the machine is used up; take fewer cells (snug check tells what a case needs)", command.name()));

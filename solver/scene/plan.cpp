@@ -301,7 +301,7 @@ void estimate(const Model& model, const Meshes& meshes, double memory, Plan& pla
   const Need need = need_of_run(rigid, body);
   plan.memory_bytes = need.memory;
   if (memory <= 0.0 || need.memory <= memory || need.disk <= 0.0) return;
-  plan.parts_in.push_back(fmt::format("factor: written to disk, for it is expected to take {:.3g} GB of {:.3g} in memory, and there are {:.3g}", 1e-9 * need.disk, 1e-9 * need.memory, 1e-9 * memory));
+  plan.parts_in.push_back(fmt::format("factor of the matrix: written to disk, {:.3g} GB; with it in memory the case would take {:.3g} GB, and there are {:.3g}", 1e-9 * need.disk, 1e-9 * need.memory, 1e-9 * memory));
   plan.memory_bytes = need.memory_beside_disk, plan.disk_bytes = need.disk, plan.seconds *= slower_on_disk;
 }
 

@@ -210,6 +210,12 @@ TEST_F(ProjectProgram, FabricsThatAreAlike) {
   EXPECT_EQ(group("N85L15"), group("my knit"));
   EXPECT_NE(group("P98L2"), group("C98L2")) << groups;  // EMT 56 % and 7 %
   expect("materials clusters --by EMT --count 40", 2, "ask for fewer");
+  // For programs in SI, and numbers as numbers: 215 and 220 g/m2 are 0.215 and 0.22 kg/m2.
+  const auto json = nlohmann::json::parse(expect("materials near N85L15 --by weight --most 2 --json", 0, "entities"))["entities"];
+  EXPECT_DOUBLE_EQ(json[0]["items"]["weight"].get<double>(), 0.215);
+  EXPECT_DOUBLE_EQ(json[2]["items"]["weight"].get<double>(), 0.22);
+  EXPECT_GT(json[2]["distance"].get<double>(), 0.0);
+  EXPECT_EQ(nlohmann::json::parse(expect("materials clusters --by EMT,weight --count 2 --json", 0, "entities"))["entities"].size(), 9u);
   expect("materials near N85L15 --by wieght", 2, "did you mean weight?");
   expect("materials near 'no knit'", 2, "did you mean my knit?");
 }
