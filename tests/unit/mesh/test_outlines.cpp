@@ -130,9 +130,12 @@ TEST(SplineOutlines, ComeToTheLimbWithTheFourthPowerOfThePointsDistanceAndItsCur
 TEST(SplineOutlines, GoOnStraightBeyondTheirSections) {
   const SplineOutline outline = through(points_of(forearm(), 4, 12));
   for (const double turn : {0.1, 0.55}) {
-    const OutlinePoint end = outline.derivatives(turn, 0.3), beyond = outline.derivatives(turn, 0.42);
-    EXPECT_LT((beyond.x - (end.x + 0.12 * end.x_z)).norm(), 1e-12);
-    EXPECT_LT(end.x_zz.norm(), 1e-9);
+    for (const double end_height : {0.0, 0.3}) {
+      const double way = end_height > 0.0 ? 0.12 : -0.12;
+      const OutlinePoint end = outline.derivatives(turn, end_height), beyond = outline.derivatives(turn, end_height + way);
+      EXPECT_LT((beyond.x - (end.x + way * end.x_z)).norm(), 1e-12);
+      EXPECT_LT(end.x_zz.norm(), 1e-9);
+    }
   }
 }
 
