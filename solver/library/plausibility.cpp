@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/scene/tools.hpp"
+
 namespace snug::solver {
 
 namespace {
@@ -16,6 +18,7 @@ constexpr double smallest_part = 2e-3, largest_part = 3.0;  // m: a phantom of a
 constexpr double impossible = 4.0;                          // times beyond these
 constexpr double tight = 0.4, loose = 2.5;                  // garment over girth
 constexpr double torn = 0.2, tent = 6.0;
+constexpr double squeezed = 0.5;                            // of what lies before a tool; limbs are indented by 0.11 to 0.25 in vivo (limb_sites.toml)
 
 class Checks {
  public:
@@ -31,6 +34,8 @@ class Checks {
       check_fabric(garment.fabric, garment.spec.fabric.where);
       for (std::size_t z = 0; z < garment.zones.size(); ++z) check_fabric(garment.zones[z], garment.spec.zone[z].fabric.where);
     }
+    if (model_.deformable())
+      for (const input::ToolSpec& tool : case_.tools) check_tool(tool);
     errors_.throw_if_any();
     return std::move(warnings_);
   }
@@ -105,6 +110,17 @@ class Checks {
     look("thickness", fabric.thickness, 2e-5, 0.02, 1e3, "mm");
     look("stiffness", fabric.stiffness(), 1.0, 3e6, 1.0, "N/m");
     look("shear stiffness", fabric.shear, 0.1, 1e6, 1.0, "N/m");
+  }
+
+  void check_tool(const input::ToolSpec& tool) {
+    const PlacedTool placed = place_tool(meshes_.body, tool);
+    const double before_it = way_to_what_is_held(meshes_.body, case_.support, placed) - placed.first_touch, depth = tool.travel - placed.first_touch;
+    if (depth <= squeezed * before_it) return;
+    const bool through = depth >= before_it;
+    const std::string goes = fmt::format("\"{}\" goes {:.4g} mm deep into the body, which is {:.4g} mm thick there in front of what is held", tool.name, 1e3 * depth, 1e3 * before_it);
+    say(through, tool.where, goes + (through ? "" : fmt::format(": {:.0f} % of it", 100.0 * depth / before_it)),
+        fmt::format("let it travel {} {:.4g} mm{}", through ? "less than" : "up to", 1e3 * (placed.first_touch + squeezed * before_it),
+                    through ? "" : ", or expect that it stops on its way: limbs are pressed by 11 to 25 % of their tissue where they are measured"));
   }
 
   const Model& model_;

@@ -141,6 +141,23 @@ PlacedTool place_tool(const mesh::BodyMesh& body, const input::ToolSpec& tool) {
   return placed;
 }
 
+double way_to_what_is_held(const mesh::BodyMesh& body, const std::vector<input::SupportSpec>& supports, const PlacedTool& placed) {
+  std::vector<char> held(body.nodes.size(), 0);
+  for (const int node : body.bone_nodes) held[node] = 1;
+  for (const input::SupportSpec& support : supports)
+    if (const mesh::Surface* surface = body.surface(support.on); surface && support.x && support.y && support.z && !support.moves())
+      for (const int node : surface->nodes) held[node] = 1;
+  double way = std::numeric_limits<double>::infinity();
+  const mesh::FacetKind kind = facet_kind(body.kind);
+  for (const auto& facet : mesh::boundary_facets(body, held)) {
+    const FacetNodes x = facet_positions(body, facet);
+    if (facet_point(x, facet_shape(kind, facet_domain(kind).centre)).n.dot(placed.shape.direction) <= 0.0) continue;  // it is met from within the body
+    for (const ToolPoint& q : tool_points(kind)) way = std::min(way, placed.shape.way_to(x * q.shape.N - placed.start));
+    for (int a = 0; a < node_count(kind); ++a) way = std::min(way, placed.shape.way_to(x.col(a) - placed.start));
+  }
+  return way;
+}
+
 std::vector<std::string> tool_parts(const Model& model, const mesh::BodyMesh& body) {
   std::vector<std::string> parts;
   if (!model.deformable()) return parts;

@@ -29,6 +29,9 @@ struct PlacedTool {
 };
 /// Throws input::InputError: no such surface, a tool that starts inside the body, a travel that does not meet the surface.
 PlacedTool place_tool(const mesh::BodyMesh& body, const input::ToolSpec& tool);
+/// How far a placed tool goes (m, from its start) until it meets what cannot give way: the rigid bone, or a surface that supports hold in all directions.
+/// Of the body at rest; infinite where nothing such lies before it.
+double way_to_what_is_held(const mesh::BodyMesh& body, const std::vector<input::SupportSpec>& supports, const PlacedTool& placed);
 
 /// What moves the tools and what they meet, as a line of the plan each.
 std::vector<std::string> tool_parts(const Model& model, const mesh::BodyMesh& body);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/library/plausibility.hpp"
 #include "solver/scene/tools.hpp"
 #include "solver/terms/tool_contact.hpp"
 #include "tests/unit/solver/terms.hpp"
@@ -155,6 +156,39 @@ TEST(Tools, ForcesAndMomentsBalance) {
       EXPECT_NEAR(tool.end().depth, 0.002, 1e-15);
       EXPECT_GT(tool.end().largest_pressure, tool.mean_pressure());
     }
+}
+
+/// What is said of a tool before anything is solved: of a way that ends in what is held, and the warnings of others.
+std::pair<std::string, std::string> plausibility(CellKind kind, const std::function<void(input::ToolSpec&)>& change, bool bone) {
+  Pressed pressed(kind, change);
+  if (bone) pressed.block.c.support.clear(), pressed.meshes.body.bone_nodes = pressed.meshes.body.surface("bottom")->nodes, pressed.model = solver::make_model(pressed.block.c, pressed.meshes.body);
+  try {
+    const auto warnings = solver::implausible(pressed.model, pressed.meshes, {});
+    return {"", warnings.empty() ? "" : warnings.front().found + "; " + warnings.front().remedy};
+  } catch (const input::InputError& error) {
+    return {error.what(), ""};
+  }
+}
+
+// A block 20 mm thick on a floor that is held, by a support or as bone: a tool that goes 2 mm deep passes, one that goes 12 mm deep is warned of, one that would go through the floor is refused
+// with the thickness there and what to write, straight and oblique, from touch or from afar; where nothing is held below it nothing is said.
+TEST(Tools, AWayThroughWhatIsHeldIsRefused) {
+  for (const CellKind kind : {CellKind::hex27, CellKind::tet10})
+    for (const bool bone : {false, true}) {
+      const auto deep = [&](double travel, bool afar = false) {
+        return plausibility(kind, [=](input::ToolSpec& tool) { tool.travel = travel, tool.direction = {0, 0, -1}, tool.tip = {0.02, 0.02, 0.05}, tool.from_touch = !afar; }, bone);
+      };
+      EXPECT_EQ(deep(0.002), std::pair(std::string(), std::string()));
+      EXPECT_EQ(deep(0.012).first, "");
+      EXPECT_NE(deep(0.012).second.find("goes 12 mm deep into the body, which is 20 mm thick there in front of what is held: 60 % of it; let it travel up to 10 mm"), std::string::npos) << deep(0.012).second;
+      EXPECT_NE(deep(0.021).first.find("goes 21 mm deep into the body, which is 20 mm thick"), std::string::npos) << deep(0.021).first;
+      EXPECT_NE(deep(0.051, true).first.find("let it travel less than 40 mm"), std::string::npos) << deep(0.051, true).first;
+      EXPECT_EQ(deep(0.032, true), std::pair(std::string(), std::string()));
+    }
+  const auto oblique = [](double travel) { return plausibility(CellKind::hex27, [=](input::ToolSpec& tool) { tool.shape = input::ToolShape::sphere, tool.direction = {0, 1, -1}, tool.travel = travel, tool.tip = {0.02, 0.0, 0.04}; }, false).first; };
+  EXPECT_EQ(oblique(0.018), "");
+  EXPECT_NE(oblique(0.03).find("in front of what is held"), std::string::npos);  // sqrt(2) 20 mm
+  EXPECT_EQ(plausibility(CellKind::hex27, [](input::ToolSpec& tool) { tool.travel = 0.5, tool.direction = {1, 0, 0}, tool.on = "left", tool.tip = {-0.1, 0.02, 0.015}, tool.radius = 0.004; }, false).first, "");
 }
 
 // On cells that are coarse beside its contact a ball meets no vertex: that is no answer, and what to do is said.
