@@ -89,6 +89,8 @@ TEST(Data, OgdenSetsHoldWhatTheirSourcesPrint) {
   // Heel pad: mu = 0.001084 MPa is the shear modulus at rest; skin: mu_1 = 10 Pa with alpha 40 makes 200 Pa.
   EXPECT_NEAR(materials::initial_shear_modulus(find_tissue(named("stiffening fat")).law), 1084.0, 0.5);
   EXPECT_NEAR(materials::initial_shear_modulus(find_tissue(named("stiffening skin")).law), 200.0, 1e-9);
+  EXPECT_NEAR(materials::initial_shear_modulus(find_tissue(named("fat in vivo")).law), 3040.0, 1e-9);   // Chakouch et al. 2015, abstract
+  EXPECT_NEAR(materials::initial_shear_modulus(find_tissue(named("skin in vivo")).law), 43000.0, 1e-9);  // E = 129 kPa
 }
 
 TEST(Data, EveryLawCanBeWrittenInline) {
