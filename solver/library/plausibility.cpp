@@ -19,6 +19,7 @@ constexpr double impossible = 4.0;                          // times beyond thes
 constexpr double tight = 0.4, loose = 2.5;                  // garment over girth
 constexpr double torn = 0.2, tent = 6.0;
 constexpr double squeezed = 0.5;                            // of what lies before a tool; limbs are indented by 0.11 to 0.25 in vivo (limb_sites.toml)
+constexpr double coarse_cells = 0.5;                        // of a tool's radius
 
 class Checks {
  public:
@@ -114,6 +115,9 @@ class Checks {
 
   void check_tool(const input::ToolSpec& tool) {
     const PlacedTool placed = place_tool(meshes_.body, tool);
+    if (const double edge = placed.surface.mean_edge; edge > coarse_cells * tool.radius)
+      say(false, tool.where, fmt::format("cells below \"{}\" are {:.3g} mm long, and its radius is {:.3g} mm: the surface slips round it between them", tool.name, 1e3 * edge, 1e3 * tool.radius),
+          "refine the mesh there to an eighth of the radius, or the edge's rounding");
     const double before_it = way_to_what_is_held(meshes_.body, case_.support, placed) - placed.first_touch, depth = tool.travel - placed.first_touch;
     if (depth <= squeezed * before_it) return;
     const bool through = depth >= before_it;

@@ -158,9 +158,22 @@ TEST(Tools, ForcesAndMomentsBalance) {
     }
 }
 
+// Where the surface slips round a disc between the cells' corners the solver converges, with a force that is too small: that is no answer either, and it is warned of before.
+TEST(Tools, ASurfaceThatSlipsRoundTheToolIsNoAnswer) {
+  const auto small = [](input::ToolSpec& tool) { tool.radius = 0.008, tool.edge_radius = 0.002, tool.direction = {0, 0, -1}, tool.tip = {0.02, 0.02, 0.05}, tool.travel = 0.006, tool.steps = 1; };
+  Pressed pressed(CellKind::hex27, small);
+  const postproc::RunResult result = solver::solve(pressed.model, pressed.meshes);
+  EXPECT_EQ(result.status, postproc::Status::failed);
+  EXPECT_NE(result.message.find("coarse beside the contact; refine the mesh below the tool"), std::string::npos) << result.message;
+  EXPECT_GT(result.numbers.at("tool_penetration_m"), 0.002);
+  const auto warnings = solver::implausible(pressed.model, pressed.meshes, {});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings.front().found.find("the surface slips round it between them"), std::string::npos) << warnings.front().found;
+}
+
 /// What is said of a tool before anything is solved: of a way that ends in what is held, and the warnings of others.
 std::pair<std::string, std::string> plausibility(CellKind kind, const std::function<void(input::ToolSpec&)>& change, bool bone) {
-  Pressed pressed(kind, change);
+  Pressed pressed(kind, change, 8);
   if (bone) pressed.block.c.support.clear(), pressed.meshes.body.bone_nodes = pressed.meshes.body.surface("bottom")->nodes, pressed.model = solver::make_model(pressed.block.c, pressed.meshes.body);
   try {
     const auto warnings = solver::implausible(pressed.model, pressed.meshes, {});
