@@ -71,7 +71,25 @@ std::shared_ptr<std::vector<ToolFrictionHistory::Element>> ToolFriction::frames(
 void ToolFriction::update(State& state) const {
   ToolFrictionHistory& history = edit(state);
   if (history.stiffness == 0.0) history.stiffness = slip_stiffness(state);
-  history.frames = frames(state);
+  const auto before = std::exchange(history.fresh, false) ? nullptr : history.frames;
+  const auto now = frames(state);
+  history.frames = now;
+  if (history.stiffness > 0.0) follow_slip(state, history, before.get(), *now);
+}
+
+void ToolFriction::follow_slip(const State& state, const ToolFrictionHistory& history, const std::vector<ToolFrictionHistory::Element>* before,
+                               std::vector<ToolFrictionHistory::Element>& now) const {
+  tbb::parallel_for(0, contact_.facets(), [&](int f) {
+    const Change d = change(state, history, f);
+    for (int v = 0; v < corners; ++v) {
+      Corner& corner = now[f][v];
+      if (corner.area <= 0.0) continue;
+      const Return r = traction(history, d, f, v);
+      if (!r.slips) continue;
+      corner.slipping = r.traction;
+      corner.turned = before && corner.slipping.dot((*before)[f][v].slipping) < 0.0;
+    }
+  });
 }
 
 ToolFriction::Change ToolFriction::change(const State& state, const ToolFrictionHistory& history, int facet) const {
@@ -125,7 +143,8 @@ bool ToolFriction::assemble(const State& state, Tangent tangent, Sink& sink) con
       Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
       if (r.slips) {
         const Eigen::Vector3d m = r.trial.normalized();
-        H = corner.bound / r.trial.norm() * (H - m * m.transpose());
+        if (!corner.turned) H -= m * m.transpose();
+        H *= corner.bound / r.trial.norm();
       }
       slot.matrix.topLeftCorner<30, 30>().noalias() += corner.slip.transpose() * (now.stiffness / corner.area * H * corner.slip);
     }
@@ -147,6 +166,7 @@ void ToolFriction::commit(State& state) const {
   }
   now.traction = std::move(tractions);
   now.anchor = state.values;
+  now.fresh = true;
 }
 
 void ToolFriction::restore(State& state) const {

@@ -20,19 +20,22 @@ struct ToolFrictionHistory : public History {
     double bound = 0.0;                                  ///< mu p_v, Pa; 0: it does not touch
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Eigen::Matrix<double, 3, 30> slip;                   ///< area times the slip by the change of the facet's and the tip's entries
+    Eigen::Vector3d slipping = Eigen::Vector3d::Zero();  ///< traction of this iterate where it slips, Pa; 0 where it sticks
+    bool turned = false;                                 ///< it slips against the way in which the iterate before slipped
   };
   using Element = std::array<Corner, 4>;
 
   Eigen::VectorXd anchor;    ///< values of the accepted state
   Eigen::VectorXd traction;  ///< on the tool there, Pa per rest area; four corners a facet
   double stiffness = 0.0;    ///< k, Pa/m; 0: nothing touches yet
+  bool fresh = true;         ///< no iterate has been looked at since the accepted state
   std::shared_ptr<const std::vector<Element>> frames;  ///< of the last update
 };
 
 /// The return mapping of Friction (friction.hpp), corner by corner of the facets, where the other side is a tool that is moved: with the contact's points q,
 ///   slip  u_v = sum_q w_q L_v P_q (dx_q - dd) / A_v,   trial t* = t_v^old + k u_v,   t_v = t* min(1, mu p_v / |t*|),
 /// d the change since the last accepted state and P_q = I - n n^T. Frames and bounds are those of the last update; with them frozen the forces derive from a
-/// convex potential and the tangent is symmetric. k = mu p_ref / elastic slip, p_ref the mean pressure in contact.
+/// convex potential and the tangent is symmetric; a corner whose slip has turned against the last iterate's has the secant's stiffness along it (friction.hpp). k = mu p_ref / elastic slip, p_ref the mean pressure in contact.
 class ToolFriction : public Term {
  public:
   /// `contact` has to outlive the term and to be updated before it; `elastic_slip` in m.
@@ -63,6 +66,8 @@ class ToolFriction : public Term {
   ToolFrictionHistory& edit(State& state) const;
   double slip_stiffness(const State& state) const;
   std::shared_ptr<std::vector<ToolFrictionHistory::Element>> frames(const State& state) const;
+  void follow_slip(const State& state, const ToolFrictionHistory& history, const std::vector<ToolFrictionHistory::Element>* before,
+                   std::vector<ToolFrictionHistory::Element>& now) const;
   Change change(const State& state, const ToolFrictionHistory& history, int facet) const;
   static Return traction(const ToolFrictionHistory& history, const Change& change, int facet, int corner);
 
