@@ -27,6 +27,22 @@ inline Bounded bounded(const Eigen::Vector3d& trial, double bound) {
   return {slips ? Eigen::Vector3d(bound / length * trial) : trial, slips};
 }
 
+/// A corner of a frozen problem (its members `slipping` and `turned`) remembers which way it slips, and whether that has turned since the iterate before.
+template <class Corner>
+void remember_slip(const Eigen::Vector3d& traction, const Corner* before, Corner& corner) {
+  corner.slipping = traction;
+  corner.turned = before && traction.dot(before->slipping) < 0.0;
+}
+
+/// Derivative of the returned traction by the trial one; along a slip that has turned it is the secant's.
+inline Eigen::Matrix3d slope_of_return(const Eigen::Vector3d& trial, double bound, bool slips, bool turned) {
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Identity();
+  if (!slips) return slope;
+  const double length = trial.norm();
+  if (!turned) slope -= trial * trial.transpose() / (length * length);
+  return bound / length * slope;
+}
+
 /// Energy (J) whose slope is that traction: area (m2) times held (trial - held / 2) over the stiffness (N/m) of sticking, held = min(trial, bound).
 inline double energy_of_slip(double trial, double bound, double area, double stiffness) {
   const double held = std::min(trial, bound);

@@ -119,9 +119,7 @@ void Friction::follow_slip(const State& state, const FrictionHistory& history, c
       Corner& corner = now[e][v];
       if (corner.area <= 0.0) continue;
       const Return r = traction(history, d, e, v);
-      if (!r.slips) continue;
-      corner.slipping = r.traction;
-      corner.turned = before && corner.slipping.dot((*before)[e][v].slipping) < 0.0;
+      if (r.slips) remember_slip(r.traction, before ? &(*before)[e][v] : nullptr, corner);
     }
   });
 }
@@ -172,12 +170,7 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
       const Return r = traction(now, d, e, v);
       slot.residual.head(columns) += corner.slip.transpose() * r.traction;
       if (!wanted(tangent)) continue;
-      Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
-      if (r.slips) {
-        const Eigen::Vector3d m = r.trial.normalized();
-        if (!corner.turned) H -= m * m.transpose();
-        H *= corner.bound / r.trial.norm();
-      }
+      const Eigen::Matrix3d H = slope_of_return(r.trial, corner.bound, r.slips, corner.turned);
       slot.matrix.topLeftCorner(columns, columns).noalias() +=
           corner.slip.transpose() * (now.stiffness / corner.area * H * corner.slip);
     }

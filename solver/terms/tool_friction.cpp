@@ -85,9 +85,7 @@ void ToolFriction::follow_slip(const State& state, const ToolFrictionHistory& hi
       Corner& corner = now[f][v];
       if (corner.area <= 0.0) continue;
       const Return r = traction(history, d, f, v);
-      if (!r.slips) continue;
-      corner.slipping = r.traction;
-      corner.turned = before && corner.slipping.dot((*before)[f][v].slipping) < 0.0;
+      if (r.slips) remember_slip(r.traction, before ? &(*before)[f][v] : nullptr, corner);
     }
   });
 }
@@ -140,12 +138,7 @@ bool ToolFriction::assemble(const State& state, Tangent tangent, Sink& sink) con
       const Return r = traction(now, d, f, v);
       slot.residual.head<30>() += corner.slip.transpose() * r.traction;
       if (!wanted(tangent)) continue;
-      Eigen::Matrix3d H = Eigen::Matrix3d::Identity();
-      if (r.slips) {
-        const Eigen::Vector3d m = r.trial.normalized();
-        if (!corner.turned) H -= m * m.transpose();
-        H *= corner.bound / r.trial.norm();
-      }
+      const Eigen::Matrix3d H = slope_of_return(r.trial, corner.bound, r.slips, corner.turned);
       slot.matrix.topLeftCorner<30, 30>().noalias() += corner.slip.transpose() * (now.stiffness / corner.area * H * corner.slip);
     }
     return slot.residual.allFinite();
