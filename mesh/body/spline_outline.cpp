@@ -101,7 +101,9 @@ double SplineOutline::height_parameter(double turn, double z) const {
 
 Eigen::Vector3d SplineOutline::at(double turn, double z) const {
   const double v = round(turn), u = height_parameter(v, z);
-  return patch(u, v).point(u, v);
+  Eigen::Vector3d x = patch(u, v).point(u, v);
+  x.z() = z;  // to the last bit: borders of locations lie at heights of nodes
+  return x;
 }
 
 OutlinePoint SplineOutline::derivatives(double turn, double z) const {
@@ -112,7 +114,7 @@ OutlinePoint SplineOutline::derivatives(double turn, double z) const {
   const double u_zz = -s.x_uu.z() * u_z * u_z * u_z;
   const double u_tz = -(s.x_uv.z() * u_z + s.x_uu.z() * u_t * u_z) * u_z;
   const double u_tt = -(s.x_vv.z() + 2.0 * s.x_uv.z() * u_t + s.x_uu.z() * u_t * u_t) * u_z;
-  return {.x = s.x,
+  return {.x = {s.x.x(), s.x.y(), z},
           .x_t = s.x_v + s.x_u * u_t,
           .x_z = s.x_u * u_z,
           .x_tt = s.x_vv + 2.0 * s.x_uv * u_t + s.x_uu * u_t * u_t + s.x_u * u_tt,

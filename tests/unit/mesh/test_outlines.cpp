@@ -84,6 +84,8 @@ TEST(SplineOutlines, DerivativesAreThoseOfThePoints) {
       const OutlinePoint exact = outline.derivatives(turn, z), found = outline.Outline::derivatives(turn, z);
       const auto near = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b, double bound) { EXPECT_LT((a - b).norm(), bound * (1.0 + b.norm())) << turn << " " << z; };
       near(exact.x, found.x, 1e-14);
+      EXPECT_EQ(exact.x.z(), z);
+      EXPECT_EQ(outline.at(turn, z).z(), z);
       near(exact.x_t, found.x_t, 1e-8);
       near(exact.x_z, found.x_z, 1e-8);
       near(exact.x_tt, found.x_tt, 1e-4);
