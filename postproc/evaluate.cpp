@@ -125,6 +125,15 @@ std::vector<ThresholdRow> hold_against(const std::vector<SensationCurves>& sets,
   return result;
 }
 
+/// Both sides of a place are one question of the trial: the worse one is the answer.
+void add_rating(const LocationRow& row, const SensationCurves& curves, std::vector<LocationRating>& ratings) {
+  const SensationCurve* curve = curves.find(row.name);
+  const LocationRating one{!curve || same_name(curve->location, row.name) ? row.name : curve->location, *row.rating, row.rating_error, row.degrees};
+  const auto same = std::find_if(ratings.begin(), ratings.end(), [&](const LocationRating& other) { return same_name(other.location, one.location); });
+  if (same == ratings.end()) ratings.push_back(one);
+  else if (one.rating > same->rating) *same = one;
+}
+
 /// Comfort of the rated locations; none when no rule of the system speaks of them.
 std::optional<Comfort> comfort_of(const std::vector<LocationRating>& ratings, const input::ComfortSpec& spec,
                                   const std::filesystem::path& directory) {
@@ -151,7 +160,7 @@ void add_sensation(Evaluation& evaluation, const input::ComfortSpec& comfort, co
   std::vector<LocationRating> ratings;
   for (LocationRow& row : evaluation.locations) {
     rate_row(evidence.curves, row);
-    if (row.rating) ratings.push_back({row.name, *row.rating, row.rating_error, row.degrees});
+    if (row.rating) add_rating(row, evidence.curves, ratings);
   }
   evaluation.no_score = why_no_score(evaluation.locations, evidence.curves.name);
   if (evaluation.no_score.empty()) evaluation.comfort = comfort_of(ratings, comfort, directory);

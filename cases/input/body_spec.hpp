@@ -80,6 +80,7 @@ struct LocationSpec {
   std::optional<std::array<double, 3>> at;                       ///< m, of a landmark
   std::optional<double> radius;                                  ///< m
   std::vector<std::array<double, 3>> polygon;                    ///< m
+  bool where_there = false;                                      ///< of a standard body: left out where the part that is meshed has it not
   Location where = {};
 
   bool is_sector() const { return !at && polygon.empty(); }
@@ -144,9 +145,11 @@ struct CutPlane {
 
 /// A cut with a name through one limb of a scan; what hangs on beyond it falls away.
 struct NamedCut {
+  static constexpr double open = std::numeric_limits<double>::quiet_NaN();  ///< until it is given, or known from a standard body
+
   std::string name;
-  std::array<double, 3> point = {0, 0, 0};
-  std::array<double, 3> normal = {0, 0, 1};
+  std::array<double, 3> point = {open, open, open};
+  std::array<double, 3> normal = {open, open, open};
   Location where = {};
 
   template <class Self, class Visitor>
@@ -154,10 +157,13 @@ struct NamedCut {
     field(Field{.key = "name", .meaning = "name of the cut and of the surface it leaves, e.g. \"waist\" or \"thigh left\"", .required = true}, self.name);
     field(Field{.key = "point",
                 .unit = "m",
-                .meaning = "a point of the plane, in the file's frame, inside the limb that is cut: other limbs that the plane meets stay whole",
-                .required = true},
+                .meaning = "a point of the plane, in the file's frame, inside the limb that is cut: other limbs that the plane meets stay whole; left out: "
+                           "that of the standard body's cut of this name"},
           self.point);
-    field(Field{.key = "normal", .meaning = "direction out of the piece that is kept, in the file's frame", .required = true}, self.normal);
+    field(Field{.key = "normal",
+                .meaning = "direction out of the piece that is kept, in the file's frame; left out: that of the standard body's cut of this name, out of the "
+                           "part that all the cuts border on"},
+          self.normal);
   }
 };
 
@@ -196,6 +202,7 @@ enum class ScanCells { automatic, hexahedra, tetrahedra };
 constexpr auto texts_of(ScanCells) { return std::array{"auto", "hexahedra", "tetrahedra"}; }
 
 struct ScanSpec {
+  std::string standard;               ///< name of a body that ships; then `surface`, unit and axes are its own
   std::filesystem::path surface;      ///< OBJ, STL, PLY, OFF or v/f text
   std::optional<double> unit;         ///< metres per file unit; guessed from the size where it is left out
   FileAxis up = FileAxis::z, front = FileAxis::y;  ///< that become +z and +y
@@ -211,8 +218,10 @@ struct ScanSpec {
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
-    field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL, PLY, OFF or v/f text", .required = true},
-          self.surface);
+    field(Field{.key = "standard",
+                .meaning = "instead of a surface: a body that ships, \"woman\" or \"man\", with unit, axes, cuts by name and locations (snug list bodies)"},
+          self.standard);
+    field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL, PLY, OFF or v/f text"}, self.surface);
     field(Field{.key = "unit",
                 .unit = "m",
                 .meaning = "length of one unit of the file, e.g. \"1 mm\"; left out: m, cm or mm, whichever makes the size that of a body",
@@ -227,7 +236,11 @@ struct ScanSpec {
                 .meaning = "noise shorter than this is smoothed; 0 m: two cell widths of hexahedra, one of tetrahedra",
                 .bound = non_negative()},
           self.smoothing_radius);
-    field(Field{.key = "cut", .meaning = "planes with names that part the body from what is not meshed", .one_or_more = true}, self.cuts);
+    field(Field{.key = "cut", .meaning = "planes with names that part the body from what is not meshed; of a standard body names are enough: "
+                           "cut = [\"waist\", \"ankle left\", \"ankle right\"]",
+                .text_key = "name",
+                .one_or_more = true},
+          self.cuts);
     field(Field{.key = "bone", .meaning = "outline of the bone of one limb"}, self.bone);
     field(Field{.key = "core", .meaning = "what a body of tetrahedra has inside; left out: the bone's outline, where that is given"}, self.core);
     field(Field{.key = "cells",
@@ -292,7 +305,7 @@ struct BodySpec {
     field(Field{.key = "layers",
                 .meaning = "the layers from the inside out; of an APDL or CalculiX file: other materials for those it names"},
           self.layers);
-    field(Field{.key = "locations", .meaning = "named patches of skin whose pressure is reported"}, self.locations);
+    field(Field{.key = "locations", .meaning = "named patches of skin whose pressure is reported; left out on a standard body: its own"}, self.locations);
     field(Field{.key = "cells_around", .meaning = "hexahedra round the body", .bound = between(8, 720)},
           self.cells_around);
     field(Field{.key = "cells_along", .meaning = "hexahedra along the body", .bound = between(1, 720)},

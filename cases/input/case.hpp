@@ -152,6 +152,7 @@ struct Case {
 struct ReadOptions {
   std::vector<std::string> overrides;  ///< "section.key=value", as of --set
   bool allow_outside = false;
+  std::filesystem::path bodies = {};  ///< folder of the standard bodies; empty: none are known
 };
 
 /// Reads DIR/case.toml. Throws InputError with every error of the case together.

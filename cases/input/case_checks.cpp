@@ -146,8 +146,10 @@ void check_imported(const BodySpec& body, const Table& table, Diagnostics& diagn
 /// Cuts by the names lower and upper belong to one limb of hexahedra or tetrahedra, those of the list to anything.
 void check_scan(const ScanSpec& scan, const Table& table, Diagnostics& diagnostics) {
   const Location where = table.where;
-  const bool lower = table.find("lower"), upper = table.find("upper");
-  if (scan.cuts.empty() && !(lower && upper))
+  const bool lower = table.find("lower"), upper = table.find("upper"), standard = table.find("standard");
+  if (!standard && !table.find("surface"))
+    diagnostics.error(where, "the scan has neither a surface nor a standard body", "name its file: surface = \"body/scan.obj\", or standard = \"woman\"");
+  if (!standard && scan.cuts.empty() && !(lower && upper))
     diagnostics.error(where, "the scan has no cuts", "add lower and upper for one limb, or [[body.scan.cut]] with name, point and normal");
   if (!scan.cuts.empty() && (lower || upper))
     diagnostics.error(table.where_is(lower ? "lower" : "upper"), "the scan has named cuts and lower or upper", "name all of them: [[body.scan.cut]]");
@@ -155,6 +157,9 @@ void check_scan(const ScanSpec& scan, const Table& table, Diagnostics& diagnosti
   for (const NamedCut& cut : scan.cuts) {
     if (!cut.name.empty() && !seen.insert(cut.name).second)
       diagnostics.error(cut.where, fmt::format("the name \"{}\" of a cut is taken", cut.name), "give each cut its own name; skin and bone are surfaces of the body");
+    if (!standard && (std::isnan(cut.point[0]) || std::isnan(cut.normal[0])))
+      diagnostics.error(cut.where, fmt::format("the cut \"{}\" has no {}", cut.name, std::isnan(cut.point[0]) ? "point" : "normal"),
+                        "give it: point = [x, y, z] in the limb and normal = [0, 0, 1] out of what is kept; names alone serve on a body that ships: standard = \"woman\"");
     if (cut.normal == std::array<double, 3>{0, 0, 0})
       diagnostics.error(cut.where, fmt::format("the normal of \"{}\" has no length", cut.name), "write the direction out of the piece that is kept");
   }

@@ -40,8 +40,10 @@ std::optional<Value> Echo::value_of(const Field& field, const MaterialEntry& mem
 }
 
 std::string echo_text(const Case& description, const WriteOut& write_out) {
+  Case shown = description;
+  if (shown.body && shown.body->scan && !shown.body->scan->standard.empty()) shown.body->scan->surface.clear();  // comes with the standard body
   return "# The values used, in SI, with defaults filled in.\n" +
-         to_toml(to_table(description, description.directory.lexically_normal(), write_out));
+         to_toml(to_table(shown, description.directory.lexically_normal(), write_out));
 }
 
 }  // namespace snug::input

@@ -7,6 +7,7 @@
 #include "cases/input/overrides.hpp"
 #include "cases/input/paths.hpp"
 #include "cases/input/reader.hpp"
+#include "cases/input/standard_body.hpp"
 
 namespace snug::input {
 
@@ -90,6 +91,7 @@ Case read_case(const fs::path& directory, const ReadOptions& options) {
   Case description = read<Case>(root, diagnostics, of_case);
   description.directory = directory;
   complete(description, root);
+  if (const Table* body = root.table("body"); body && description.body) use_standard_body(*description.body, *body, options.bodies, diagnostics);
   if (description.comfort) check_files(*description.comfort, rules, diagnostics);
   check_case(description, root, diagnostics);
   check_jobs(jobs_of(root, diagnostics, rules), description, root, diagnostics);

@@ -31,6 +31,7 @@ class Skin {
         normal_[t[n]] += twice;
       }
     }
+    find_border();
     for (std::size_t n = 0; n < next_.size(); ++n)
       if (!next_[n].empty()) nodes_.push_back(static_cast<int>(n)), normal_[n].normalize();
   }
@@ -39,6 +40,13 @@ class Skin {
 
   int nearest(const Eigen::Vector3d& x) const {
     return *std::min_element(nodes_.begin(), nodes_.end(), [&](int a, int b) { return (mesh_.nodes[a] - x).squaredNorm() < (mesh_.nodes[b] - x).squaredNorm(); });
+  }
+
+  /// m, to where the skin ends; infinite where it is closed.
+  double to_border(const Eigen::Vector3d& x) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int node : border_) least = std::min(least, (mesh_.nodes[node] - x).norm());
+    return least;
   }
 
   /// Nodes within a distance along the skin: what hangs together, and on a way along edges that is hardly longer than straight.
@@ -65,15 +73,25 @@ class Skin {
   }
 
  private:
+  /// Neighbours are entered once a triangle: along the border once.
+  void find_border() {
+    for (std::size_t n = 0; n < next_.size(); ++n)
+      for (const int to : next_[n]) {
+        const auto times = std::count(next_[n].begin(), next_[n].end(), to);
+        if (times < 2) border_.push_back(static_cast<int>(n)), border_.push_back(to);
+      }
+  }
+
   const BodyMesh& mesh_;
   std::vector<std::vector<int>> next_;
   std::vector<Eigen::Vector3d> normal_;
-  std::vector<int> nodes_;
+  std::vector<int> nodes_, border_;
 };
 
 std::vector<int> at_landmark(const LocationSpec& spec, const BodyMesh& mesh, const Skin& skin) {
   const Eigen::Vector3d given = vector(*spec.at), middle = mesh.nodes[skin.nearest(given)];
   const double off = (middle - given).norm();
+  if (spec.where_there && (off > 0.5 * *spec.radius || skin.to_border(middle) < 0.5 * *spec.radius)) return {};  // cut away, or cut in two
   if (off > *spec.radius)
     throw InputError(spec.where, fmt::format("the landmark of \"{}\" is {:.0f} mm away from the skin", spec.name, 1e3 * off),
                      fmt::format("the nearest point of the skin is ({:.0f}, {:.0f}, {:.0f}) mm in the frame of the body", 1e3 * middle.x(), 1e3 * middle.y(), 1e3 * middle.z()));
@@ -130,17 +148,21 @@ std::vector<int> in_sector(const LocationSpec& spec, const BodyMesh& mesh, const
 
 void assign_locations(const std::vector<LocationSpec>& locations, BodyMesh& mesh) {
   mesh.locations.clear();
-  for (const auto& location : locations) mesh.locations.push_back(location.name);
   mesh.node_location.assign(mesh.nodes.size(), -1);
-  if (mesh.skin_facets.empty() || locations.empty()) return;
+  if (mesh.skin_facets.empty()) {
+    for (const auto& location : locations) mesh.locations.push_back(location.name);
+    return;
+  }
+  if (locations.empty()) return;
   const Skin skin(mesh);
-  for (std::size_t l = 0; l < locations.size(); ++l) {
-    const LocationSpec& spec = locations[l];
+  for (const LocationSpec& spec : locations) {
     const std::vector<int> nodes = spec.at ? at_landmark(spec, mesh, skin) : !spec.polygon.empty() ? in_polygon(spec, mesh, skin) : in_sector(spec, mesh, skin);
+    if (nodes.empty() && spec.where_there) continue;
     if (nodes.empty() && !spec.is_sector())
       throw InputError(spec.where, fmt::format("the location \"{}\" holds no node of the skin", spec.name), "make it larger, or the cells smaller");
     for (const int node : nodes)
-      if (mesh.node_location[node] < 0) mesh.node_location[node] = static_cast<int>(l);
+      if (mesh.node_location[node] < 0) mesh.node_location[node] = static_cast<int>(mesh.locations.size());
+    mesh.locations.push_back(spec.name);
   }
 }
 

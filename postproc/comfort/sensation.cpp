@@ -75,15 +75,24 @@ Rating rate(const SensationCurve& curve, double pressure) {
 }
 
 const SensationCurve* SensationCurves::find(std::string_view location) const {
-  const auto found = std::find_if(curves.begin(), curves.end(),
-                                  [&](const auto& curve) { return same_name(curve.location, location); });
-  return found == curves.end() ? nullptr : &*found;
+  for (const std::string_view name : {location, without_side(location)})
+    for (const SensationCurve& curve : curves)
+      if (same_name(curve.location, name)) return &curve;
+  return nullptr;
+}
+
+std::string_view without_side(std::string_view location) {
+  for (const std::string_view side : {" left", " right"})
+    if (location.size() > side.size() && same_name(location.substr(location.size() - side.size()), side)) return location.substr(0, location.size() - side.size());
+  return location;
 }
 
 std::string verdict(const SensationCurves& data, std::string_view location, double pressure) {
+  const bool own = std::any_of(data.bands.begin(), data.bands.end(), [&](const PressureBand& band) { return same_name(band.location, location); });
+  const std::string_view name = own ? location : without_side(location);
   const PressureBand* below = nullptr;  // the last band that ends below the pressure
   for (const PressureBand& band : data.bands) {
-    if (!band.location.empty() && !same_name(band.location, location)) continue;
+    if (!band.location.empty() && !same_name(band.location, name)) continue;
     if (pressure < band.low) return below ? "between " + below->name + " and " + band.name : "below " + band.name;
     if (pressure <= band.high) return band.name;
     below = &band;

@@ -82,12 +82,16 @@ struct SensationCurves {
   std::vector<std::string> notes;
   std::vector<SensationCurve> curves;  ///< one a location
   std::vector<PressureBand> bands;     ///< grow with pressure at each location
-  /// The curve of a location (upper and lower case are the same); nullptr when there is none.
+  /// The curve of a location (upper and lower case are the same), of "Front thigh left" that of "Front thigh" where it has none of its own; nullptr
+  /// when there is none.
   const SensationCurve* find(std::string_view location) const;
 };
 
+/// "Front thigh" of "Front thigh left" and "front thigh right"; other names as they are.
+std::string_view without_side(std::string_view location);
+
 /// Where a pressure in Pa lies among the bands of a location: "CCL 2", "below CCL 1", "between CCL 1 and CCL 2",
-/// "above X". Empty when no band speaks of the location.
+/// "above X". Empty when no band speaks of the location, with or without its side.
 std::string verdict(const SensationCurves& data, std::string_view location, double pressure);
 
 }  // namespace snug::postproc

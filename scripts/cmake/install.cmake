@@ -7,6 +7,7 @@ set(data_folder ${CMAKE_INSTALL_DATADIR}/snug)
 install(TARGETS snug RUNTIME COMPONENT program)
 install(DIRECTORY cases/ DESTINATION ${data_folder}/cases COMPONENT program
         REGEX "/cases/input$" EXCLUDE PATTERN "out" EXCLUDE PATTERN "out.*" EXCLUDE PATTERN "study" EXCLUDE)
+install(DIRECTORY mesh/data/bodies/ DESTINATION ${data_folder}/bodies COMPONENT program)
 install(FILES scripts/picture.py scripts/film.py DESTINATION ${data_folder}/scripts COMPONENT program)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 # The manual and the completions of shells come from the program itself, when it is installed.

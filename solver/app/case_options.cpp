@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "solver/app/data_directory.hpp"
 #include "solver/app/library_file.hpp"
 
 namespace snug::app {
@@ -21,7 +22,7 @@ void CaseOptions::declare(CLI::App& app) {
 
 solver::PrepareOptions CaseOptions::preparation() const {
   solver::PrepareOptions options;
-  options.reading = {.overrides = overrides, .allow_outside = allow_outside};
+  options.reading = {.overrides = overrides, .allow_outside = allow_outside, .bodies = bodies_folder()};
   if (!tier.empty()) options.reading.overrides.push_back("solver.tier=" + tier);
   options.library = library_file();
   options.gmsh.allow_scripts = allow_scripts;

@@ -14,4 +14,6 @@ fs::path data_directory() {
   return (program / SNUG_INSTALLED_DATA).lexically_normal();  // relative, so that the whole can be moved
 }
 
+fs::path bodies_folder() { return data_directory() / "bodies"; }
+
 }  // namespace snug::app

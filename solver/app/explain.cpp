@@ -5,6 +5,7 @@
 
 #include "cases/input/key_list.hpp"
 #include "cases/input/suggestion.hpp"
+#include "solver/app/body_list.hpp"
 #include "solver/app/comfort_pages.hpp"
 #include "solver/app/command.hpp"
 #include "solver/app/documents.hpp"
@@ -96,12 +97,17 @@ class List : public Command {
   std::string name() const override { return "list"; }
   std::string summary() const override { return "everything that can be chosen: keys, laws, materials, cases"; }
   void declare(CLI::App& app) override {
-    app.add_option("TOPIC", topic_, "curves: only the sensation curves, thresholds and fuzzy systems")
-        ->check(CLI::IsMember({"curves"}));
+    app.add_option("TOPIC", topic_, "curves: only the sensation curves, thresholds and fuzzy systems; bodies: only the standard bodies")
+        ->check(CLI::IsMember({"curves", "bodies"}));
   }
 
   int execute() override {
     Json& document = console().document();
+    if (topic_ == "bodies") {
+      document["bodies"] = bodies_json();
+      console().say(bodies_text());
+      return done;
+    }
     document["curves"] = curves_json();
     if (topic_ == "curves") {
       console().say(curves_text());
@@ -114,6 +120,8 @@ class List : public Command {
     console().print("\nshipped materials\n{}", materials_text());
     document["materials"] = materials_json();
     console().print("\nsensation curves and thresholds (snug explain \"NAME\"), or a TOML or CSV file of the case\n{}", curves_text());
+    console().print("\nstandard bodies (body.scan.standard)\n{}", bodies_text());
+    document["bodies"] = bodies_json();
     console().print("\nshipped cases (snug new NAME --like CASE)\n");
     for (const std::string& name : shipped_cases()) console().print("  {}\n", name);
     return done;

@@ -8,6 +8,7 @@
 #include "cases/input/files.hpp"
 #include "cases/input/overrides.hpp"
 #include "materials/database/sha256.hpp"
+#include "solver/app/data_directory.hpp"
 
 namespace snug::app {
 
@@ -58,7 +59,7 @@ void derive_case(const RunRecord& run, const fs::path& directory, const std::vec
   const fs::path aside = directory.string() + ".tmp-" + std::to_string(::getpid());
   try {
     fill(aside, run, overrides, library);
-    input::read_case(aside, {.overrides = {}, .allow_outside = true});  // what --set has made wrong is said now
+    input::read_case(aside, {.overrides = {}, .allow_outside = true, .bodies = bodies_folder()});  // what --set has made wrong is said now
     fs::rename(aside, directory);
   } catch (...) {
     fs::remove_all(aside, none);

@@ -38,6 +38,13 @@ std::vector<fs::path> input_files(const input::Case& description) {
   return files;
 }
 
+/// In the case directory; what ships lies elsewhere on every machine.
+std::string shown_name(const fs::path& file, const input::Case& description) {
+  if (description.body && description.body->scan && !description.body->scan->standard.empty() && file == description.body->scan->surface)
+    return "standard body " + description.body->scan->standard;
+  return file.lexically_normal().lexically_relative(description.directory.lexically_normal()).generic_string();
+}
+
 /// As typed, for a shell; under mpirun without mpirun.
 std::string command_line() {
   std::string text = "snug";
@@ -58,9 +65,8 @@ postproc::Provenance provenance_of(const PreparedCase& prepared) {
   provenance.command = command_line();
   provenance.versions = {{"snug", SNUG_VERSION}, {"compiler", __VERSION__}, {"blas", solver::loaded_blas()},
                          {"ranks", std::to_string(solver::this_rank().of)}, {"threads", std::to_string(std::thread::hardware_concurrency())}};
-  const fs::path directory = prepared.description.directory.lexically_normal();
   for (const fs::path& file : input_files(prepared.description))
-    provenance.input_hashes[file.lexically_normal().lexically_relative(directory).generic_string()] = hash_of(file);
+    provenance.input_hashes[shown_name(file, prepared.description)] = hash_of(file);
   for (const mesh::QualityRow& row : prepared.quality)
     provenance.mesh_quality[row.layer] = {{"cells", row.cells},
                                           {"min_scaled_jacobian", row.min_scaled_jacobian},

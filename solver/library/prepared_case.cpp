@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/input/suggestion.hpp"
 #include "mesh/body/branching_body.hpp"
 #include "mesh/body/foreign.hpp"
 #include "mesh/body/import.hpp"
@@ -150,6 +151,24 @@ std::vector<double> garment_cell_sizes(const PreparedCase& prepared, const std::
   return sizes;
 }
 
+/// Of the locations that come with a standard body those stay that lie on the part that is meshed.
+void keep_found_locations(const mesh::BodyMesh& body, input::Case& description, const input::Jobs& jobs) {
+  if (!description.body) return;
+  const auto found = [&](const std::string& name) { return std::find(body.locations.begin(), body.locations.end(), name) != body.locations.end(); };
+  const std::size_t cut_away = std::erase_if(description.body->locations, [&](const input::LocationSpec& one) { return one.where_there && !found(one.name); });
+  if (cut_away == 0) return;
+  const auto check = [&](const std::string& name, const input::Location& where) {
+    if (!name.empty() && !found(name))
+      throw input::InputError(where, fmt::format("\"{}\" does not lie on the part of the body between the cuts", name), input::did_you_mean(name, body.locations));
+  };
+  if (jobs.target)
+    for (const input::WantedPressure& wanted : jobs.target->pressures) check(wanted.location, wanted.where);
+  for (const input::SensorSpec& sensor : jobs.sensors) check(sensor.location, sensor.where);
+  if (description.comfort && description.body->locations.empty())
+    throw input::InputError(description.body->where, "[comfort] has no locations to judge: none of the standard body's lies between the cuts",
+                            "cut elsewhere, add [[body.locations]], or leave [comfort] out");
+}
+
 /// Graduated tubes that say what they are to press with and not how wide they are get the circumferences of the law of Laplace.
 void cut_graduated(std::vector<mesh::GarmentCut>& cuts, PreparedCase& prepared) {
   for (std::size_t g = 0; g < cuts.size(); ++g) {
@@ -212,6 +231,7 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   const Stopwatch meshing;
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
   prepared.meshes = make_body(prepared.description, cuts, options.gmsh, prepared.memory_limit);
+  keep_found_locations(prepared.meshes.body, prepared.description, prepared.jobs);
   prepared.model = make_model(prepared.description, prepared.meshes.body);
   sensor_places(prepared.jobs.sensors, prepared.description, prepared.meshes.body);  // one beside the skin is told before the solve
   cut_graduated(cuts, prepared);

@@ -230,5 +230,28 @@ TEST(Locations, ALandmarkFarFromTheSkinIsRefusedWithTheNearestPlace) {
   EXPECT_NE(error_of(spec).find("\"knee\" is 150 mm away"), std::string::npos) << error_of(spec);
 }
 
+TEST(Locations, OfAStandardBodyThoseAreTakenThatThePartHas) {
+  // Of four patches beside a tube between two cuts: one lies on it whole, one is cut in two by the upper end, one is beyond it, one on another limb.
+  const tests::ObjFile file(tests::tube(coarse_scan));
+  input::BodySpec spec = spec_of(file, tube_cuts, 0.03, 0.022);
+  const BodyMesh bare = body_from_scan(spec).mesh;
+  double low = 1e9, high = -1e9, reach = 0.0;
+  for (const int node : bare.surface("skin")->nodes) {
+    low = std::min(low, bare.nodes[node].z()), high = std::max(high, bare.nodes[node].z());
+    reach = std::max(reach, bare.nodes[node].x());
+  }
+  const auto patch = [&](const std::string& name, double x, double z) {
+    input::LocationSpec location;
+    location.name = name, location.at = std::array{x, 0.0, z}, location.radius = 0.03, location.where_there = true;
+    return location;
+  };
+  spec.locations = {patch("beyond", reach, high + 0.1), patch("cut in two", reach, high - 0.005), patch("there", reach, 0.5 * (low + high)), patch("elsewhere", reach + 0.2, 0.5 * (low + high))};
+  const BodyMesh mesh = body_from_scan(spec).mesh;
+  ASSERT_EQ(mesh.locations, std::vector<std::string>{"there"});
+  EXPECT_GT(area_of(mesh, 0), 0.4 * pi * 0.03 * 0.03);
+  spec.locations[1].where_there = false;  // asked for by a case: taken as far as it goes
+  EXPECT_EQ(body_from_scan(spec).mesh.locations, (std::vector<std::string>{"cut in two", "there"}));
+}
+
 }  // namespace
 }  // namespace snug::mesh

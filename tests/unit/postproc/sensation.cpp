@@ -169,5 +169,41 @@ TEST(Score, RatesMeasuredPressuresWithoutMechanics) {
   EXPECT_THROW(score({{"left ear", 100.0}}, spec), input::InputError);
 }
 
+TEST(Sensation, ASideIsJudgedByTheCurveOfItsPlace) {
+  // "Front thigh left" has no curve of its own and is rated as "Front thigh"; what only looks like a side is none.
+  const SensationCurves curves = trial();
+  EXPECT_EQ(without_side("Front thigh left"), "Front thigh");
+  EXPECT_EQ(without_side("Front thigh RIGHT"), "Front thigh");
+  EXPECT_EQ(without_side("Upright"), "Upright");
+  EXPECT_EQ(without_side(" left"), " left");
+  ASSERT_NE(curves.find("front thigh left"), nullptr);
+  EXPECT_EQ(curves.find("front thigh left"), curves.find("Front thigh"));
+  EXPECT_EQ(curves.find("Left"), nullptr);
+  SensationCurves own = curves;
+  own.curves.push_back(*curves.find("Chest"));
+  own.curves.back().location = "Front thigh left";
+  EXPECT_EQ(own.find("Front thigh left"), &own.curves.back()) << "a curve of its own goes first";
+  SensationCurves bands;
+  bands.bands = {{"Front thigh", "much", 1000.0, 2000.0}};
+  EXPECT_EQ(verdict(bands, "Front thigh right", 1500.0), "much");
+  EXPECT_EQ(verdict(bands, "Back thigh right", 1500.0), "");
+}
+
+TEST(Sensation, OfBothSidesTheWorseOneCounts) {
+  // Both sides are one question of the trial: the score is that of the worse side alone, whichever comes first.
+  input::ComfortSpec comfort;
+  comfort.curves.name = "wear trial 2002";
+  const SensationCurves curves = trial();
+  const SensationCurve& thigh = *curves.find("Front thigh");
+  const double low = thigh.low + 0.2 * (thigh.high - thigh.low), high = thigh.low + 0.9 * (thigh.high - thigh.low);
+  ASSERT_GT(rate(thigh, high).value, rate(thigh, low).value + 0.1);
+  const auto score_of = [&](const std::vector<LocationPressure>& pressures) { return score(pressures, comfort).comfort->score; };
+  const double worse = score_of({{"Front thigh", high}});
+  EXPECT_NE(worse, score_of({{"Front thigh", low}}));
+  EXPECT_DOUBLE_EQ(score_of({{"Front thigh left", low}, {"Front thigh right", high}}), worse);
+  EXPECT_DOUBLE_EQ(score_of({{"Front thigh left", high}, {"Front thigh right", low}}), worse);
+  EXPECT_EQ(score({{"Front thigh left", low}, {"Front thigh right", high}}, comfort).comfort->memberships.size(), 1u);
+}
+
 }  // namespace
 }  // namespace snug::postproc
