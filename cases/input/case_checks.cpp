@@ -149,7 +149,7 @@ void check_scan(const ScanSpec& scan, const Table& table, Diagnostics& diagnosti
   const bool lower = table.find("lower"), upper = table.find("upper"), standard = table.find("standard");
   if (!standard && !table.find("surface"))
     diagnostics.error(where, "the scan has neither a surface nor a standard body", "name its file: surface = \"body/scan.obj\", or standard = \"woman\"");
-  if (!standard && scan.cuts.empty() && !(lower && upper))
+  if (scan.cuts.empty() && !(lower && upper) && !(standard && !lower && !upper))  // without any, the standard body has its own say
     diagnostics.error(where, "the scan has no cuts", "add lower and upper for one limb, or [[body.scan.cut]] with name, point and normal");
   if (!scan.cuts.empty() && (lower || upper))
     diagnostics.error(table.where_is(lower ? "lower" : "upper"), "the scan has named cuts and lower or upper", "name all of them: [[body.scan.cut]]");

@@ -86,7 +86,12 @@ void add_meshes(Json& json, const PreparedCase& prepared) {
     layers.push_back({{"layer", row.layer}, {"cells", row.cells}, {"min_scaled_jacobian", row.min_scaled_jacobian}, {"mean_scaled_jacobian", row.mean_scaled_jacobian},
                       {"max_aspect", row.max_aspect}, {"volume_m3", row.volume}});
   for (const mesh::GarmentMesh& garment : prepared.meshes.garments) garments.push_back(garment_json(garment, prepared));
+  Json locations = Json::array();
+  const mesh::BodyMesh& body = prepared.meshes.body;
+  for (std::size_t l = 0; l < body.locations.size(); ++l)
+    locations.push_back({{"name", body.locations[l]}, {"nodes", std::count(body.node_location.begin(), body.node_location.end(), static_cast<int>(l))}});
   json["layers"] = layers;
+  json["locations"] = locations;
   json["garments"] = garments;
   if (!prepared.meshes.scan.empty()) json["scan"] = scan_json(prepared.meshes.scan);
   if (!prepared.description.body || prepared.description.body->kind != input::BodyKind::scan || !prepared.meshes.limb.bone) return;

@@ -1,7 +1,9 @@
 #include "solver/app/print_plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace snug::app {
@@ -97,6 +99,15 @@ std::string fit_text(const std::vector<mesh::LimbFit>& limbs) {
   return text;
 }
 
+/// The named patches with their nodes of skin.
+std::string locations_text(const mesh::BodyMesh& body) {
+  if (body.locations.empty()) return {};
+  std::vector<std::string> found;
+  for (std::size_t l = 0; l < body.locations.size(); ++l)
+    found.push_back(fmt::format("{} ({})", body.locations[l], std::count(body.node_location.begin(), body.node_location.end(), static_cast<int>(l))));
+  return fmt::format("  locations (nodes of the skin): {}\n", fmt::join(found, ", "));
+}
+
 }  // namespace
 
 std::string quality_text(const PreparedCase& prepared) {
@@ -108,6 +119,7 @@ std::string quality_text(const PreparedCase& prepared) {
   for (const mesh::QualityRow& row : prepared.quality)
     text += fmt::format("  {:<16} {:>8} {:>13.3f} {:>13.3f} {:>9.1f} {:>12.1f}\n", row.layer, row.cells,
                         row.min_scaled_jacobian, row.mean_scaled_jacobian, row.max_aspect, row.volume * 1e6);
+  text += locations_text(prepared.meshes.body);
   for (std::size_t g = 0; g < prepared.meshes.garments.size(); ++g) {
     const mesh::GarmentMesh& garment = prepared.meshes.garments[g];
     text += fmt::format("  {}: {} {} triangles, mean edge {:.1f} mm\n", garment.name, garment.triangles.size(),

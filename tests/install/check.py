@@ -45,6 +45,7 @@ def program_finds_its_data(prefix, folder):
     run(snug, "new", folder / "mine", "--like", CASE)
     run(snug, "check", folder / "mine")
     run(snug, "check", prefix / "share/snug/cases/thigh-sleeve")
+    expect("  woman: Standard woman" in run(snug, "list", "bodies"), "snug list bodies names the installed bodies")
     expect((prefix / "share/snug/scripts/picture.py").is_file(), "what draws pictures is installed")
 
 

@@ -104,6 +104,7 @@ TEST_F(StandardBodies, WhatDoesNotFitTogetherIsRefusedWithARemedy) {
   EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"neck\", \"knee left\", \"ankle left\"]\n"), HasSubstr("do not border on one part"));
   EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"waist\", \"neck\", \"waist\"]\n"), HasSubstr("\"waist\" of a cut is taken"));
   EXPECT_THAT(error_of("standard = \"woman\"\n"), HasSubstr("no cut says which part"));
+  EXPECT_THAT(error_of("standard = \"woman\"\nlower = { point = [\"0 mm\", \"0 mm\", \"600 mm\"], normal = [0, 0, -1] }\n"), HasSubstr("the scan has no cuts"));
   EXPECT_THAT(error_of("standard = \"woman\"\nunit = \"1 mm\"\n" + cuts), HasSubstr("unit is given"));
   EXPECT_THAT(error_of("standard = \"woman\"\nup = \"y\"\nfront = \"z\"\n" + cuts), HasSubstr("up is given"));
   EXPECT_THAT(error_of("standard = \"woman\"\nsurface = \"case.toml\"\n" + cuts), HasSubstr("surface is given"));
