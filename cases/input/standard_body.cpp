@@ -122,7 +122,7 @@ void place_cuts(ScanSpec& scan, const StandardBody& body, Diagnostics& diagnosti
   for (const NamedCut& cut : scan.cuts)
     if (!given(cut.point) && !body.cut(cut.name)) {
       known = false;
-      diagnostics.error(cut.where, fmt::format("the {} has no cut \"{}\"", body.title, cut.name),
+      diagnostics.error(cut.where, fmt::format("the standard body \"{}\" has no cut \"{}\"", scan.standard, cut.name),
                         did_you_mean(cut.name, names_of(body.cuts)) + "; or give it a point and a normal of its own");
     }
   if (!known) return;

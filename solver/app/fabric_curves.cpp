@@ -40,7 +40,7 @@ double nominal(const TensionCurve& curve, double strain) { return (1.0 + strain)
 
 std::vector<FabricData> of_case(const fs::path& directory) {
   std::vector<FabricData> fabrics;
-  for (const input::GarmentSpec& garment : input::read_case(directory, {.bodies = bodies_folder()}).garments) {
+  for (const input::GarmentSpec& garment : input::read_case(directory, {.overrides = {}, .bodies = bodies_folder()}).garments) {
     const auto add = [&](const input::MaterialEntry& fabric) { fabrics.push_back(materials::fabric_data(materials::resolved(fabric, Kind::fabric, library_file()))); };
     add(garment.fabric);
     for (const input::ZoneSpec& zone : garment.zone) add(zone.fabric);

@@ -326,7 +326,7 @@ TEST(ShippedCases, AreReadWithoutError) {
   int count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(SNUG_SOURCE_DIR) / "cases")) {
     if (entry.path().filename() != "case.toml") continue;
-    EXPECT_NO_THROW(read_case(entry.path().parent_path(), {.bodies = fs::path(SNUG_SOURCE_DIR) / "mesh/data/bodies"})) << entry.path();
+    EXPECT_NO_THROW(read_case(entry.path().parent_path(), {.overrides = {}, .bodies = fs::path(SNUG_SOURCE_DIR) / "mesh/data/bodies"})) << entry.path();
     ++count;
   }
   EXPECT_GE(count, 3);

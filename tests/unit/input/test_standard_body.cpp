@@ -34,7 +34,7 @@ class StandardBodies : public testing::Test {
   }
   Case read_text(const std::string& text) {
     std::ofstream(folder_ / "case.toml") << text;
-    return read_case(folder_, {.bodies = bodies});
+    return read_case(folder_, {.overrides = {}, .bodies = bodies});
   }
   std::string error_of(const std::string& scan) {
     try {
@@ -46,8 +46,9 @@ class StandardBodies : public testing::Test {
   }
   /// z of the normals of the cuts.
   std::vector<double> upwards(const std::string& cuts) {
+    const Case c = read_scan("standard = \"woman\"\ncut = " + cuts);
     std::vector<double> result;
-    for (const NamedCut& cut : read_scan("standard = \"woman\"\ncut = " + cuts).body->scan->cuts) result.push_back(cut.normal[2]);
+    for (const NamedCut& cut : c.body->scan->cuts) result.push_back(cut.normal[2]);
     return result;
   }
 
@@ -98,8 +99,8 @@ TEST_F(StandardBodies, LocationsOfTheCaseReplaceTheStandardOnes) {
 
 TEST_F(StandardBodies, WhatDoesNotFitTogetherIsRefusedWithARemedy) {
   const std::string cuts = "cut = [\"waist\", \"ankle left\", \"ankle right\"]\n";
-  EXPECT_THAT(error_of("standard = \"womann\"\n" + cuts), HasSubstr("did you mean \"woman\"?"));
-  EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"waste\", \"neck\"]\n"), HasSubstr("did you mean \"waist\"?"));
+  EXPECT_THAT(error_of("standard = \"womann\"\n" + cuts), HasSubstr("there is no standard body \"womann\"; did you mean woman?"));
+  EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"waste\", \"neck\"]\n"), HasSubstr("the standard body \"woman\" has no cut \"waste\"; did you mean waist?"));
   EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"knee left\"]\n"), HasSubstr("leaves two parts"));
   EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"neck\", \"knee left\", \"ankle left\"]\n"), HasSubstr("do not border on one part"));
   EXPECT_THAT(error_of("standard = \"woman\"\ncut = [\"waist\", \"neck\", \"waist\"]\n"), HasSubstr("\"waist\" of a cut is taken"));
