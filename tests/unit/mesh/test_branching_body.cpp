@@ -186,7 +186,7 @@ double area_of(const BodyMesh& mesh, int location) {
     std::vector<int> corners;
     for (int a = 0; a < 6; ++a) corners.push_back(facet[a]);
     const auto place = fem::reference_nodes(fem::Element::tri6);
-    std::array<Eigen::Vector3d, 3> x;
+    std::array<Eigen::Vector3d, 3> x = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
     for (int a = 0; a < 6; ++a) {
       if (place(0, a) + place(1, a) < 0.1) x[0] = mesh.nodes[facet[a]];
       if (place(0, a) > 0.9) x[1] = mesh.nodes[facet[a]];
