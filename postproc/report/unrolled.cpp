@@ -4,9 +4,12 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+
+#include "postproc/report/limbs.hpp"
 
 namespace snug::postproc::report {
 
@@ -18,6 +21,8 @@ using Eigen::Vector3d;
 /// Nodes in the map's own coordinates: angle (deg) and height (m) of a tube, two lengths (m) of a flat skin.
 struct Chart {
   std::vector<Vector2d> at;
+  std::vector<double> angle;  ///< deg, round the middle of the tube or of the node's own limb
+  std::vector<int> limb;      ///< limbs.hpp; two limbs have half the width each
   bool tube = true;
   double girth = 1.0;  ///< m, mean
 };
@@ -75,6 +80,7 @@ class CentreLine {
   }
 
   Vector2d at(double z) const {
+    if (middles_.empty()) return Vector2d::Zero();
     if (z <= middles_.front().z()) return middles_.front().head<2>();
     for (std::size_t i = 0; i + 1 < middles_.size(); ++i) {
       const Vector3d &a = middles_[i], &b = middles_[i + 1];
@@ -89,6 +95,11 @@ class CentreLine {
   std::vector<Vector3d> sums_ = std::vector<Vector3d>(slices, Vector3d::Zero()), middles_;
 };
 
+double wrapped(double angle, double from) { return angle - 360.0 * std::floor((angle - from) / 360.0); }
+
+/// Limbs are slit on their inner sides and laid out with their outer sides below those of the trunk, half as wide: front at 45 and 135 deg.
+double on_map(double angle, int limb) { return limb == 0 ? angle : limb == 1 ? 0.5 * angle : 90.0 + 0.5 * wrapped(angle, 0.0); }
+
 Chart chart_of(const Skin& skin) {
   const Frame frame = frame_of(skin);
   std::vector<Vector3d> nodes;
@@ -99,18 +110,24 @@ Chart chart_of(const Skin& skin) {
     for (const Vector3d& x : nodes) chart.at.push_back(x.head<2>());
     return chart;
   }
-  const CentreLine centre(nodes, skin.triangles);
+  chart.limb = limbs_of(nodes, skin.triangles);
+  const auto line = [&](int limb) {
+    std::vector<Triangle> own;
+    for (const Triangle& t : skin.triangles)
+      if (limb == 0 || (chart.limb[t[0]] == limb && chart.limb[t[1]] == limb && chart.limb[t[2]] == limb)) own.push_back(t);
+    return CentreLine(nodes, own);
+  };
+  const std::array<CentreLine, 3> centre = {line(0), line(1), line(2)};
   double radii = 0.0;
-  for (const Vector3d& x : nodes) {
-    const Vector2d across = x.head<2>() - centre.at(x.z());
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const Vector2d across = nodes[n].head<2>() - centre[chart.limb[n]].at(nodes[n].z());
     radii += across.norm();
-    chart.at.emplace_back(std::atan2(across.y(), across.x()) * 180.0 / std::numbers::pi, x.z());
+    chart.angle.push_back(std::atan2(across.y(), across.x()) * 180.0 / std::numbers::pi);
+    chart.at.emplace_back(on_map(chart.angle.back(), chart.limb[n]), nodes[n].z());
   }
   chart.girth = 2.0 * std::numbers::pi * radii / static_cast<double>(nodes.size());
   return chart;
 }
-
-double wrapped(double angle, double from) { return angle - 360.0 * std::floor((angle - from) / 360.0); }
 
 /// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location (it lies on both sides)
 /// and touches the fewest of any; the back if all are alike.
@@ -188,6 +205,10 @@ class Drawer {
       return index;
     };
     for (const Triangle& t : skin.triangles) {
+      if (const Slit slit = slit_of(t); slit != Slit::none) {
+        if (slit == Slit::inner) add_at_slit(t, drawing);
+        continue;
+      }
       std::array<double, 3> angle{};
       for (int i = 0; i < 3; ++i) angle[i] = chart_.tube ? wrapped(chart_.at[t[i]].x(), from_) : chart_.at[t[i]].x();
       const bool cut =
@@ -231,6 +252,36 @@ class Drawer {
   double from() const { return from_; }
 
  private:
+  enum class Slit { none, inner, crotch };
+  /// Triangles over the inner side of a limb, and those between limbs and trunk that would be drawn right across.
+  Slit slit_of(const Triangle& t) const {
+    constexpr double widest = 60.0;  // deg on the map
+    if (!chart_.tube) return Slit::none;
+    const int limb = chart_.limb[t[0]];
+    const bool one = chart_.limb[t[1]] == limb && chart_.limb[t[2]] == limb;
+    if (one && limb == 0) return Slit::none;
+    double span = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const double step = chart_.at[t[i]].x() - chart_.at[t[(i + 1) % 3]].x();
+      span = std::max(span, one ? std::abs(step) : std::abs(wrapped(step, -180.0)));
+    }
+    return span <= widest ? Slit::none : one ? Slit::inner : Slit::crotch;
+  }
+  /// Once at each side of the slit, up to it.
+  void add_at_slit(const Triangle& t, Drawing& drawing) const {
+    const double middle = chart_.limb[t[0]] == 1 ? 0.0 : 180.0;
+    for (const double side : {-1.0, 1.0}) {
+      Triangle triangle{};
+      for (int i = 0; i < 3; ++i) {
+        const double off = wrapped(chart_.at[t[i]].x() - middle, -180.0);
+        triangle[i] = static_cast<int>(drawing.node.size());
+        drawing.sheet.points.push_back(place(wrapped(middle, from_) + (off * side > 0.0 ? off : 90.0 * side), chart_.at[t[i]].y()));
+        drawing.node.push_back(t[i]);
+      }
+      drawing.sheet.triangles.push_back(triangle);
+    }
+  }
+
   /// The copy of a triangle over the cut that begins before the left end.
   void add_before(const Triangle& t, const std::array<double, 3>& angle, Drawing& drawing) const {
     Triangle triangle{};
@@ -276,7 +327,8 @@ UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
   map.width = drawer.width(), map.height = drawer.height();
   map.unrolled = chart.tube;
   map.across = drawer.across_ticks(), map.along = drawer.along_ticks();
-  map.across_name = chart.tube ? "angle round the body" : "across [mm]";
+  const bool limbs = std::any_of(chart.limb.begin(), chart.limb.end(), [](int limb) { return limb > 0; });
+  map.across_name = !chart.tube ? "across [mm]" : limbs ? "angle round the body; limbs side by side are slit inside and have half the width each" : "angle round the body";
   map.along_name = chart.tube ? "height [mm]" : "along [mm]";
   map.skin = region_path(drawing.sheet, drawing.values([](int) { return 1.0; }), 0.5);
   map.edge = region_path(drawing.sheet, drawing.values([&](int n) { return skin.coverage[n]; }), 0.5);
@@ -292,9 +344,10 @@ UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
   const Vector2d at = chart.at[peak];
   const double angle = chart.tube ? wrapped(at.x(), drawer.from()) : at.x();
   const Vector2d place = drawer.place(angle, at.y());
+  const int limb = chart.tube ? chart.limb[peak] : 0;
   map.largest_x = place.x(), map.largest_y = place.y();
   map.largest_place =
-      chart.tube ? fmt::format("at {}°, height {} mm", plain(std::round(angle)), plain(std::round(1e3 * at.y())))
+      chart.tube ? fmt::format("at {}°{}, height {} mm", plain(std::round(limb > 0 ? chart.angle[peak] : angle)), limb == 1 ? " of the limb on the side of +x" : limb == 2 ? " of the limb on the side of −x" : "", plain(std::round(1e3 * at.y())))
                  : fmt::format("at {} mm across, {} mm along", plain(std::round(1e3 * at.x())),
                                plain(std::round(1e3 * at.y())));
   return map;

@@ -9,6 +9,7 @@
 #include "cases/input/diagnostics.hpp"
 #include "postproc/recorders.hpp"
 #include "postproc/report/base64.hpp"
+#include "postproc/report/limbs.hpp"
 #include "postproc/report/page.hpp"
 #include "postproc/report/template.hpp"
 #include "postproc/report/unrolled.hpp"
@@ -124,6 +125,36 @@ TEST(UnrolledMap, ATubeBecomesARectangle) {
   EXPECT_EQ(std::count(map.patches[0].path.begin(), map.patches[0].path.end(), 'M'), 1);
   EXPECT_NEAR(map.largest_y, 0.0, 1e-9);
   EXPECT_THAT(map.largest_place, HasSubstr("height 200 mm"));
+}
+
+/// Another skin behind the first, `up` higher.
+void add(const Skin& other, double up, Skin& skin) {
+  const int first = static_cast<int>(skin.nodes.size());
+  for (const Eigen::Vector3d& x : other.nodes) skin.nodes.push_back(x + up * Eigen::Vector3d::UnitZ());
+  for (const Triangle& t : other.triangles) skin.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append(skin.numbers, other.numbers), append(skin.displacement, other.displacement), append(skin.pressure, other.pressure);
+  append(skin.coverage, other.coverage), append(skin.location, other.location);
+}
+
+TEST(UnrolledMap, LegsLieSideBySideBelowTheTrunkEachOfHalfTheWidth) {
+  // Each leg is slit on its inner side and fills half of the map's width with no triangle drawn across: all of the map is skin, nothing of it twice but the
+  // cells at the cut. A place is told by the leg's own angle.
+  Skin skin = tube(0.07, 0.2, 0.09, 0.0);
+  add(tube(0.07, 0.2, -0.09, 0.0), 0.0, skin);
+  add(tube(0.16, 0.2, 0.0, 0.0), 0.2, skin);
+  const std::size_t leg = 48 * 11;
+  const std::vector<int> limbs = limbs_of(skin.nodes, skin.triangles);
+  for (std::size_t n = 0; n < limbs.size(); ++n) EXPECT_EQ(limbs[n], n < leg - 48 ? 1 : n >= leg && n < 2 * leg - 48 ? 2 : limbs[n]) << n;
+  EXPECT_EQ(std::count(limbs.begin() + 2 * leg + 48, limbs.end(), 0), 10 * 48);
+  const std::size_t front = leg + 4 * 48 + 6;  // 45 deg of the left leg, 80 mm up
+  skin.pressure[front] = 700.0;
+  const UnrolledMap map = unroll(skin, pressure_scale({&skin}), 720.0);
+  const double area = size_of(map.skin).area;
+  EXPECT_NEAR(area, map.width * map.height, map.width * map.height / 48.0 + 0.1 * map.height);
+  EXPECT_THAT(map.largest_place, HasSubstr("at 45° of the limb on the side of −x, height 80 mm"));
+  EXPECT_THAT(map.across_name, HasSubstr("half the width each"));
+  EXPECT_EQ(map.patches.size(), 1u);
 }
 
 TEST(UnrolledMap, AFlatSkinIsSeenFromItsNormal) {
