@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "mesh/body/import_shell.hpp"
-#include "mesh/garment/union_find.hpp"
+#include "solver/fem/union_find.hpp"
 
 namespace snug::mesh {
 
@@ -32,7 +32,7 @@ struct PieceOfSkin {
 }  // namespace
 
 void turn_skin_outwards(BodyMesh& body) {
-  UnionFind joined(body.nodes.size());
+  fem::UnionFind joined(body.nodes.size());
   for (const FacetNodeNumbers& facet : body.skin_facets)
     for (int a = 1; a < 6; ++a) joined.merge(facet[0], facet[a]);
   std::map<int, PieceOfSkin> pieces;

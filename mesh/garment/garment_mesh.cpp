@@ -9,7 +9,7 @@
 #include "mesh/garment/girth_curve.hpp"
 #include "mesh/garment/pattern.hpp"
 #include "mesh/garment/tube_girth.hpp"
-#include "mesh/garment/union_find.hpp"
+#include "solver/fem/union_find.hpp"
 
 namespace snug::mesh {
 
@@ -37,7 +37,7 @@ void check(const input::GarmentSpec& spec, const TubeGirth& girth, const Limb& l
 void sew(const PatternMesh& pattern, bool knitted, GarmentMesh& mesh) {
   const auto &left = pattern.sides.at("left"), &right = pattern.sides.at("right");
   if (left.size() != right.size()) throw std::logic_error("the sides of a seam are divided differently");
-  UnionFind nodes(pattern.nodes.size());
+  fem::UnionFind nodes(pattern.nodes.size());
   SewnSeam seam{"seam", {}};
   for (std::size_t n = 0; n < left.size(); ++n) nodes.merge(left[n], right[n]), seam.pairs.push_back({left[n], right[n]});
   mesh.merged = nodes.representatives();

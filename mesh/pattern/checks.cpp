@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "mesh/garment/union_find.hpp"
+#include "solver/fem/union_find.hpp"
 #include "mesh/pattern/outline_checks.hpp"
 
 namespace snug::mesh {
@@ -92,7 +92,7 @@ void warn_of_stretches(const Pattern& pattern, const Sewing& sewing, std::vector
 
 /// A side over several pieces goes on where another seam joins them.
 void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t seam, std::vector<Diagnostic>& warnings) {
-  UnionFind others(sewing.stretches.size());
+  fem::UnionFind others(sewing.stretches.size());
   for (const Stretch& s : sewing.stretches)
     if (s.partner >= 0 && s.seam != static_cast<int>(seam)) {
       others.merge(s.begin, sewing.stretches[s.partner].end);
@@ -123,7 +123,7 @@ void warn_of_chain(const Pattern& pattern, const Sewing& sewing, std::size_t sea
 /// Garments are spheres with open edges. Handles, (2 - open edges - Euler's number) / 2 of them, come from seams that
 /// run the wrong way or stand in the wrong order, as like as not.
 void warn_of_handles(const Pattern& pattern, const Sewing& sewing, std::vector<Diagnostic>& warnings) {
-  UnionFind parts(pattern.pieces.size());
+  fem::UnionFind parts(pattern.pieces.size());
   for (const Stretch& s : sewing.stretches)
     if (s.partner >= 0) parts.merge(s.part.piece, sewing.stretches[s.partner].part.piece);
   std::map<int, int> euler, open;

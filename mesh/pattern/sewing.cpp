@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "mesh/garment/union_find.hpp"
+#include "solver/fem/union_find.hpp"
 
 namespace snug::mesh {
 
@@ -311,7 +311,7 @@ int next_open(const Pattern& pattern, const Sewing& sewing, int stretch, double&
 Sewing sew(const Pattern& pattern) {
   Sewing sewing;
   sewing.stretches = Border(pattern).take();
-  UnionFind corners(sewing.stretches.size());
+  fem::UnionFind corners(sewing.stretches.size());
   for (const Stretch& stretch : sewing.stretches)
     if (stretch.partner >= 0) {
       corners.merge(stretch.begin, sewing.stretches[stretch.partner].end);

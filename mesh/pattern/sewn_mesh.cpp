@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/garment/union_find.hpp"
+#include "solver/fem/union_find.hpp"
 #include "mesh/pattern/piece_mesh.hpp"
 
 namespace snug::mesh {
@@ -81,7 +81,7 @@ class DividedBorder {
   }
 
   std::vector<int> merged() const {
-    UnionFind nodes(places_.size());
+    fem::UnionFind nodes(places_.size());
     for (std::size_t s = 0; s < sewing_.stretches.size(); ++s) {
       const int partner = sewing_.stretches[s].partner, count = divisions_[s];
       if (partner > static_cast<int>(s))
@@ -193,7 +193,7 @@ class Assembly {
   }
 
   void merge() {
-    UnionFind nodes(mesh_.flat.size());
+    fem::UnionFind nodes(mesh_.flat.size());
     for (const Seam& seam : checked_.pattern.seams) {
       SewnSeam sewn{seam.name, {}};
       for (const int s : stretches_of(seam.a)) {

@@ -12,7 +12,7 @@
 #include <numeric>
 
 #include "cases/input/choice.hpp"
-#include "mesh/garment/union_find.hpp"
+#include "solver/fem/union_find.hpp"
 
 namespace snug::mesh {
 
@@ -142,7 +142,7 @@ Criterion no_crossings(const ClothTriangles& cloth, const Places& places, const 
 
 /// With no crossing all nodes that hang together are on the same side of the skin.
 Criterion outside(const ClothTriangles& cloth, const Places& places, const DressForm& form) {
-  UnionFind together(places.size());
+  fem::UnionFind together(places.size());
   for (const auto& t : cloth.nodes) together.merge(t[0], t[1]), together.merge(t[0], t[2]);
   int inside = 0;
   for (const auto& t : cloth.nodes)

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "solver/fem/union_find.hpp"
 
 namespace snug::postproc::report {
 
@@ -14,19 +15,6 @@ using Eigen::Vector3d;
 
 constexpr int slices = 24;
 constexpr double least_share = 0.2;  // of a slice's area that the smaller limb has; rims and specks have less
-
-class Pieces {
- public:
-  explicit Pieces(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0); }
-  int root(int n) {
-    while (above_[n] != n) n = above_[n] = above_[above_[n]];
-    return n;
-  }
-  void join(int a, int b) { above_[root(a)] = root(b); }
-
- private:
-  std::vector<int> above_;
-};
 
 struct Piece {
   double area = 0.0;
@@ -47,14 +35,14 @@ std::vector<int> limbs_of(const std::vector<Vector3d>& nodes, const std::vector<
     for (int s = static_cast<int>((a - bottom) / thickness); s <= last; ++s) of_slice[s].push_back(static_cast<int>(t));
   }
   for (int s = 0; s < slices; ++s) {
-    Pieces pieces(nodes.size());
-    for (const int t : of_slice[s]) pieces.join(triangles[t][0], triangles[t][1]), pieces.join(triangles[t][1], triangles[t][2]);
+    fem::UnionFind pieces(nodes.size());
+    for (const int t : of_slice[s]) pieces.merge(triangles[t][0], triangles[t][1]), pieces.merge(triangles[t][1], triangles[t][2]);
     std::map<int, Piece> found;
     double all = 0.0;
     for (const int t : of_slice[s]) {
       const Vector3d &a = nodes[triangles[t][0]], &b = nodes[triangles[t][1]], &c = nodes[triangles[t][2]];
       const double area = 0.5 * (b - a).cross(c - a).norm();
-      Piece& piece = found[pieces.root(triangles[t][0])];
+      Piece& piece = found[pieces.find(triangles[t][0])];
       piece.area += area, piece.moment += area * (a + b + c) / 3.0, all += area;
     }
     std::erase_if(found, [&](const auto& one) { return one.second.area < least_share * all; });
@@ -64,7 +52,7 @@ std::vector<int> limbs_of(const std::vector<Vector3d>& nodes, const std::vector<
     for (const int t : of_slice[s])
       for (const int n : triangles[t]) {
         if (static_cast<int>((nodes[n].z() - bottom) / thickness) != s) continue;
-        const int root = pieces.root(n);
+        const int root = pieces.find(n);
         if (root == one.first) limb[n] = first_is_right ? 1 : 2;
         if (root == other.first) limb[n] = first_is_right ? 2 : 1;
       }

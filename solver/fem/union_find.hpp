@@ -1,11 +1,11 @@
-// Which nodes are one after sewing.
+// Which of many are one: nodes after sewing, pieces that hang together.
 #pragma once
 
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
-namespace snug::mesh {
+namespace snug::fem {
 
 /// Disjoint sets of nodes; the representative of a set is its smallest number.
 class UnionFind {
@@ -32,4 +32,4 @@ class UnionFind {
   std::vector<int> parent_;
 };
 
-}  // namespace snug::mesh
+}  // namespace snug::fem
