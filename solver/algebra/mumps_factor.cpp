@@ -4,9 +4,9 @@
 #include <smumps_c.h>
 
 #include <cstddef>
-#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -207,7 +207,8 @@ class MumpsFactor : public Preconditioner {
     control(22) = 1;
     control(35) = 0;
     const std::string folder = std::filesystem::temp_directory_path().string();
-    std::strncpy(mumps_.ooc_tmpdir, folder.c_str(), sizeof mumps_.ooc_tmpdir - 1);
+    if (folder.size() >= sizeof mumps_.ooc_tmpdir) throw std::runtime_error(folder + ": the name is too long for the files of the factor; set TMPDIR to a shorter one");
+    folder.copy(mumps_.ooc_tmpdir, folder.size());
   }
 
   bool factor() {
@@ -217,8 +218,11 @@ class MumpsFactor : public Preconditioner {
       control(14) *= 2;
       run(2);
     }
+    if (on_disk_ && mumps_.infog[0] == not_written)
+      throw std::runtime_error(std::filesystem::temp_directory_path().string() + ": the factor of the matrix cannot be written there; make room (df -h), or set TMPDIR to a folder on a larger disk");
     return mumps_.infog[0] >= 0;
   }
+  static constexpr int not_written = -90;  // MUMPS' guide: an error of the files out of core
   static bool needs_workspace(int status) { return status == -8 || status == -9 || status == -14 || status == -15 || status == -17 || status == -20; }
 
   PetscErrorCode apply_here(Vec in, Vec out, PetscInt size) {

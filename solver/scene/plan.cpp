@@ -275,9 +275,9 @@ bool bends(const Model& model, const Meshes& meshes) {
   return false;
 }
 
-// With the factor on disk, by unknowns of the body: 1.36 and 2.6 GB of memory, 0.6 and 1.7 GB of disk at 149,000 and 308,000 (2026-11); the factor of a
+// With the factor on disk, by unknowns of the body: 1.39 and 2.66 GB of memory at 149,000 and 308,000 unknowns, 0.59 GB of disk at the former (2026-11), where 98 stands for 110; the factor of a
 // solid in the order of nested dissection grows with n^(4/3) (George 1973).
-constexpr double beside_disk = 8.5e3, factor_on_disk = 90.0, slower_on_disk = 1.3;
+constexpr double beside_disk = 8.5e3, factor_on_disk = 110.0, slower_on_disk = 1.3;
 
 // Time and memory by unknowns, fitted to the scenes of tests/stability, on two cores (2026-11): a guide, no promise. A body alone
 // takes half the iterations of one with a garment, friction is let go in a stage of its own, which goes step by step where the

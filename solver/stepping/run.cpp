@@ -125,12 +125,17 @@ class Run {
     return report(trail.back());
   }
 
+  Scene scene_of(const Model& model, Skin skin) const {
+    Scene scene = make_scene(model, meshes_, skin);
+    scene.may_take(memory_);
+    return scene;
+  }
+
   /// A stage starts where the one before has ended, on the same scene where both solve the same.
   Standing enter(const Stage& stage, const Stage* before, const Way& way, const Trail& trail) {
     if (before && before->model == stage.model && before->skin == stage.skin) return trail.back();
     if (before) trail.back().scene->drop_matrix();  // the next one needs the memory
-    Standing at{std::make_shared<Scene>(make_scene(*stage.model, meshes_, stage.skin)), {}};
-    at.scene->may_take(memory_);
+    Standing at{std::make_shared<Scene>(scene_of(*stage.model, stage.skin)), {}};
     log_.phase("set-up");
     at.state = placed_state(at.scene->layout(), model_, meshes_);
     if (before) {
@@ -257,7 +262,7 @@ class Run {
   /// last half; until then the garment sticks (without any pressure friction would hold nothing).
   void add_spread(const Standing& tight) {
     const std::string name = "spread over ways of putting on";
-    Scene rigid = make_scene(worn_, meshes_, Skin::rigid);
+    Scene rigid = scene_of(worn_, Skin::rigid);
     PathSettings aside = settings(Skin::rigid);
     aside.newton.residual = rubbing_residual;
     aside.accepted = nullptr;  // their states are not on the way to the answer
