@@ -33,13 +33,14 @@ struct Pressures {
   }
 };
 
-/// A hem is a line load and no pressure of the location, unless there is nothing but hems. `share`: of a node that counts, 0 to 1.
+/// A hem is a line load and no pressure of the location, unless there is nothing but hems. `share`: of a node's area that counts, 0 to 1. For the
+/// largest pressure nodes count that lie inside by half, all where none does.
 template <class Share>
 LocationRow summarise(const std::string& name, const BodyResult& body, const std::vector<double>& areas, Share share) {
   LocationRow row;
   row.name = name;
   Pressures all, inside;
-  double largest = 0.0;  // beside hems
+  double inner = -1.0, any = 0.0;  // largest beside hems
   const std::vector<double>&pressure = values_of(body.fields, field::contact_pressure), &coverage = values_of(body.fields, field::coverage),
                            &hem = values_of(body.fields, field::hem);
   const std::vector<double>& beside = body.fields.has(field::largest_inside) ? body.fields[field::largest_inside] : pressure;
@@ -50,19 +51,21 @@ LocationRow summarise(const std::string& name, const BodyResult& body, const std
     row.area += own;
     all.add(area, entry(pressure, n));
     if (entry(hem, n) == 0.0) inside.add(area, entry(pressure, n));
-    if (area > 0.0) largest = std::max(largest, entry(beside, n));  // a facet over the garment's edge has nodes that bear nothing
+    if (area <= 0.0) continue;  // a facet over the garment's edge has nodes that bear nothing
+    any = std::max(any, entry(beside, n));
+    if (share(n) >= 0.5) inner = std::max(inner, entry(beside, n));
   }
   if (row.area > 0) row.coverage = all.covered / row.area;
   const bool hem_only = all.covered > 0.0 && !(inside.covered > 0.0);
   if (inside.covered < all.covered) row.pressures_of = hem_only ? "hem" : "cover beside hems";
   const Pressures& told = hem_only ? all : inside;
   if (told.covered > 0.0) row.mean_pressure = told.force / told.covered;
-  row.max_pressure = hem_only ? all.largest : largest;
+  row.max_pressure = hem_only ? all.largest : inner >= 0.0 ? inner : any;
   return row;
 }
 
-LocationRow of_location(int location, const BodyResult& body, const std::vector<double>& areas) {
-  return summarise(body.locations[location], body, areas, [&](std::size_t n) { return n < body.node_location.size() && body.node_location[n] == location ? 1.0 : 0.0; });
+LocationRow of_location(std::size_t location, const BodyResult& body, const std::vector<double>& areas) {
+  return summarise(body.locations[location], body, areas, [&](std::size_t n) { return body.share_in(location, n); });
 }
 
 /// Mean edge of the skin's facets, m.
@@ -78,6 +81,14 @@ double share_at(double height, double z, double cell) { return std::max(0.0, 1.0
 LocationRow at_height(double height, const BodyResult& body, const std::vector<double>& areas) {
   const double cell = mean_cell(body, areas);
   return summarise(fmt::format("{:.4g} mm", 1e3 * height), body, areas, [&](std::size_t n) { return share_at(height, body.nodes[n].z(), cell); });
+}
+
+/// How much of a node's area lies in the locations of a name, 0 to 1.
+double share_in_named(const BodyResult& body, const std::string& name, std::size_t node) {
+  double share = 0.0;
+  for (std::size_t l = 0; l < body.locations.size(); ++l)
+    if (body.locations[l] == name) share += body.share_in(l, node);
+  return share;
 }
 
 std::vector<double> skin_areas(const BodyResult& body) {
@@ -182,7 +193,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
   const std::vector<double> areas = skin_areas(body);
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)
-    evaluation.locations.push_back(of_location(static_cast<int>(location), body, areas));
+    evaluation.locations.push_back(of_location(location, body, areas));
   if (comfort && run.status == Status::converged) add_sensation(evaluation, *comfort, directory);
   return evaluation;
 }
@@ -190,10 +201,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
 std::vector<double> counted_areas(const BodyResult& body, const input::WantedPressure& wanted) {
   std::vector<double> areas = skin_areas(body);
   const double cell = mean_cell(body, areas);
-  for (std::size_t n = 0; n < areas.size(); ++n) {
-    const int location = n < body.node_location.size() ? body.node_location[n] : -1;
-    areas[n] *= wanted.height ? share_at(*wanted.height, body.nodes[n].z(), cell) : location >= 0 && body.locations[location] == wanted.location ? 1.0 : 0.0;
-  }
+  for (std::size_t n = 0; n < areas.size(); ++n) areas[n] *= wanted.height ? share_at(*wanted.height, body.nodes[n].z(), cell) : share_in_named(body, wanted.location, n);
   return areas;
 }
 

@@ -39,9 +39,15 @@ struct BodyResult {
   std::vector<int> cell_layer;
   std::vector<std::string> locations;                 ///< names
   std::vector<int> node_location;                     ///< -1: none
+  std::vector<std::vector<double>> location_shares;   ///< per location and node: how much of its area lies inside; empty: nodes belong wholly to `node_location`
   Fields fields;                                      ///< what is known at the nodes (fields.hpp): of every body `displacement`,
                                                       ///< `contact_pressure` and `coverage` (0 off the skin), then what its scene has
 
+  /// How much of a node's area lies in a location, 0 to 1.
+  double share_in(std::size_t location, std::size_t node) const {
+    if (!location_shares.empty()) return location_shares[location][node];
+    return node < node_location.size() && node_location[node] == static_cast<int>(location) ? 1.0 : 0.0;
+  }
   int node_number(std::size_t node) const {
     return node_numbers.empty() ? static_cast<int>(node) + 1 : node_numbers[node];
   }

@@ -13,6 +13,7 @@
 #include "mesh/body/core.hpp"
 #include "mesh/body/lattice.hpp"
 #include "mesh/body/layering.hpp"
+#include "mesh/body/location_shares.hpp"
 #include "mesh/body/locations.hpp"
 
 namespace snug::mesh {
@@ -92,20 +93,46 @@ bool in_range(double z, const input::LocationSpec& location) {
   return (!location.from_height || z >= *location.from_height) && (!location.to_height || z <= *location.to_height);
 }
 
-/// Skin nodes go to the first location whose sector and range of heights hold them.
-void assign_sectors(const std::vector<input::LocationSpec>& locations, const Lattice& lattice, const Limb& limb, int skin_k, BodyMesh& mesh) {
+/// Middles of a limb's sections at the heights of its nodes, straight lines between them.
+class NodeCentres {
+ public:
+  NodeCentres(const Limb& limb, const BodyMesh& mesh) {
+    for (const FacetNodeNumbers& facet : mesh.skin_facets)
+      for (const int n : facet)
+        if (n >= 0 && !centre_.contains(mesh.nodes[n].z())) centre_[mesh.nodes[n].z()] = section_centre(*limb.skin, mesh.nodes[n].z());
+  }
+  Eigen::Vector2d at(double z) const {
+    const auto above = centre_.lower_bound(z);
+    if (above == centre_.end()) return std::prev(above)->second;
+    if (above == centre_.begin() || above->first == z) return above->second;
+    const auto below = std::prev(above);
+    return below->second + (z - below->first) / (above->first - below->first) * (above->second - below->second);
+  }
+
+ private:
+  std::map<double, Eigen::Vector2d> centre_;
+};
+
+/// Points of the skin go to the first location whose sector and range of heights hold them.
+void assign_sectors(const std::vector<input::LocationSpec>& locations, const Limb& limb, BodyMesh& mesh) {
   for (const auto& location : locations) mesh.locations.push_back(location.name);
   mesh.node_location.assign(mesh.nodes.size(), -1);
-  std::vector<Eigen::Vector2d> centre;  // by lattice height j
-  for (std::size_t n = 0; n < lattice.nodes.size() && !locations.empty(); ++n) {
-    const LatticeKey& key = lattice.nodes[n];
-    if (key.k != skin_k) continue;
-    const Eigen::Vector3d& x = mesh.nodes[n];
-    while (static_cast<int>(centre.size()) <= key.j) centre.push_back(Eigen::Vector2d::Constant(NAN));
-    if (std::isnan(centre[key.j].x())) centre[key.j] = section_centre(*limb.skin, x.z());
-    const double angle = std::atan2(x.y() - centre[key.j].y(), x.x() - centre[key.j].x());
-    mesh.node_location[n] = location_of(locations, angle, x.z());
-  }
+  if (locations.empty()) return;
+  const NodeCentres centres(limb, mesh);
+  const auto at = [&](const Eigen::Vector3d& x) {
+    const Eigen::Vector2d arm = x.head<2>() - centres.at(x.z());
+    return location_of(locations, std::atan2(arm.y(), arm.x()), x.z());
+  };
+  for (const FacetNodeNumbers& facet : mesh.skin_facets)
+    for (const int n : facet)
+      if (n >= 0) mesh.node_location[n] = at(mesh.nodes[n]);
+  mesh.location_shares = location_shares(mesh, locations.size(), [&](const Eigen::Vector3d& x, const std::array<int, 3>&) { return at(x); });
+}
+
+void assign(const input::BodySpec& spec, const Limb& limb, BodyMesh& mesh) {
+  const auto round_the_limb = [](const input::LocationSpec& location) { return location.is_sector() && !location.limb; };
+  if (std::all_of(spec.locations.begin(), spec.locations.end(), round_the_limb)) assign_sectors(spec.locations, limb, mesh);
+  else assign_locations(spec.locations, mesh);
 }
 
 void check_cells(const BodyMesh& mesh, const Limb& limb, const input::Location& where) {
@@ -171,13 +198,14 @@ BodyMesh make_body_mesh(const input::BodySpec& spec, const Limb& limb) {
   check_cells(mesh, limb, spec.where);
   collect_surfaces(lattice, grid, mesh);
   mesh.mean_skin_cell = mean_edge(mesh, mesh.skin_facets);
-  const auto is_sector = [](const input::LocationSpec& location) { return location.is_sector() && !location.limb; };
-  if (std::all_of(spec.locations.begin(), spec.locations.end(), is_sector)) assign_sectors(spec.locations, lattice, limb, 2 * grid.through, mesh);
-  else assign_locations(spec.locations, mesh);
   const CellKind kind = kind_of(spec.elements);
-  if (kind == CellKind::hex27) return mesh;
+  if (kind == CellKind::hex27) {
+    assign(spec, limb, mesh);
+    return mesh;
+  }
   BodyMesh converted = convert(mesh, kind);
   check_cells(converted, limb, spec.where);
+  assign(spec, limb, converted);
   return converted;
 }
 

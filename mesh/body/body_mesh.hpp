@@ -79,6 +79,7 @@ struct BodyMesh {
   std::vector<Surface> surfaces;
   std::vector<std::string> locations;         ///< names of the skin patches
   std::vector<int> node_location;             ///< per node: index into `locations`, -1 for none and for nodes inside
+  std::vector<std::vector<double>> location_shares;  ///< per location and node (location_shares.hpp); empty: nodes belong wholly to `node_location`
   double mean_skin_cell = 0.0;                ///< m, mean edge length of the skin facets
   std::vector<ShellTriangle> shell;           ///< a shell body: then there are no cells, and `kind` is tet10 for its facets
   std::vector<HeldRotation> held_rotations;   ///< of a shell body

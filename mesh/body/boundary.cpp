@@ -95,7 +95,6 @@ std::vector<int> renumber(const BodyMesh& from, BodyMesh& to) {
     if (number[n] == 0) {
       number[n] = static_cast<int>(to.nodes.size());
       to.nodes.push_back(from.nodes[n]);
-      to.node_location.push_back(from.node_location.empty() ? -1 : from.node_location[n]);
     }
   for (CellNodes& cell : to.cells)
     for (int a = 0; a < node_count(to.kind); ++a) cell[a] = number[cell[a]];
@@ -165,7 +164,7 @@ std::vector<FacetNodeNumbers> boundary_facets(const BodyMesh& mesh, const std::v
 BodyMesh convert(const BodyMesh& mesh, CellKind kind) {
   BodyMesh to;
   to.kind = kind;
-  to.layers = mesh.layers, to.membranes = mesh.membranes, to.locations = mesh.locations;
+  to.layers = mesh.layers, to.membranes = mesh.membranes;
   split_cells(mesh, to);
   const std::vector<int> number = renumber(mesh, to);
   to.bone_nodes = renumbered(mesh.bone_nodes, number);

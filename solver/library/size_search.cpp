@@ -57,7 +57,7 @@ LaplaceTable::LaplaceTable(const PreparedCase& prepared, int garment, const inpu
                             "try sizes one by one: snug run CASE --sweep garment.pattern.girth_scale=0.9:1.0:3");
   postproc::BodyResult skin;
   skin.nodes = meshes.body.nodes, skin.skin_facets = meshes.body.skin_facets;
-  skin.locations = meshes.body.locations, skin.node_location = meshes.body.node_location;
+  skin.locations = meshes.body.locations, skin.node_location = meshes.body.node_location, skin.location_shares = meshes.body.location_shares;
   std::vector<std::vector<double>> weights;
   for (const input::WantedPressure& wanted : target.pressures) {
     weights.push_back(postproc::counted_areas(skin, wanted));

@@ -32,6 +32,7 @@ postproc::BodyResult body_result(const mesh::BodyMesh& mesh, bool cells) {
   for (const auto& layer : mesh.layers) result.layers.push_back(layer.name);
   result.locations = mesh.locations;
   result.node_location = mesh.node_location;
+  result.location_shares = mesh.location_shares;
   if (mesh.nodes.empty()) return result;
   result.fields.set(field::displacement, std::vector<Eigen::Vector3d>(mesh.nodes.size(), Eigen::Vector3d::Zero()));
   result.fields.set(field::contact_pressure, std::vector<double>(mesh.nodes.size(), 0.0));

@@ -33,7 +33,7 @@ void read_summary(const fs::path& file, StudyRow& row) {
   row.mean_displacement = number(summary.at("numbers"), "mean_skin_radial_displacement_m");
 }
 
-std::vector<std::string> command_line(const fs::path& directory, const CaseOptions& options, const fs::path& out) {
+std::vector<std::string> command_line(const fs::path& directory, const CaseOptions& options, int ranks, const fs::path& out) {
   std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(),
                                     "run",
                                     fs::absolute(directory).string(),
@@ -43,16 +43,17 @@ std::vector<std::string> command_line(const fs::path& directory, const CaseOptio
                                     "--out",
                                     fs::absolute(out).string()};
   for (const std::string& word : options.words()) words.push_back(word);
+  if (ranks > 0) words.insert(words.end(), {"--ranks", std::to_string(ranks)});
   return words;
 }
 
 }  // namespace
 
-StudyRow measure(const fs::path& directory, const CaseOptions& options, const fs::path& work) {
+StudyRow measure(const fs::path& directory, const CaseOptions& options, int ranks, const fs::path& work) {
   // Not in `work` itself, which the study holds locked: a run locks the folder beside its results to exchange them.
   const fs::path room = work / "runs", out = room / "run";
   fs::create_directories(room);
-  const ChildOutcome child = run_child(command_line(directory, options, out), work);
+  const ChildOutcome child = run_child(command_line(directory, options, ranks, out), work);
   if (child.status != done && child.status != not_converged)
     throw std::runtime_error(fmt::format("a run of the study ended with status {}: {}", child.status, child.output));
   StudyRow row;

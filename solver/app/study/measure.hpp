@@ -12,8 +12,9 @@
 namespace snug::app {
 
 /// `snug run` of a case as a process of its own, so that time and memory are its own; its files go to `work` and are
-/// removed. `options` hold every value that is set. A run that does not converge gives a row with its status.
-StudyRow measure(const std::filesystem::path& directory, const CaseOptions& options, const std::filesystem::path& work);
+/// removed. `options` hold every value that is set; `ranks` processes share its work, 0: as many as the run takes by itself. A run that does not
+/// converge gives a row with its status.
+StudyRow measure(const std::filesystem::path& directory, const CaseOptions& options, int ranks, const std::filesystem::path& work);
 
 /// What the runs are measured against.
 struct Yardstick {

@@ -34,6 +34,9 @@ class Study : public Command {
     app.add_option("--vary", vary_, "a series for each value: --vary solver.tier=L1,L4; may be repeated")
         ->type_name("KEY=A,B")
         ->allow_extra_args(false);
+    app.add_option("--ranks", ranks_, "every series for each number of processes: --ranks 1,2 (left out: as many as a run takes by itself)")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 4096));
     app.add_option("--against", against_,
                    "exact: the answer under [study]; reference: expected.toml; finest: the "
                    "finest run (left out: exact where there is one)")
@@ -54,7 +57,8 @@ class Study : public Command {
     cleaner.repair(out.target());
     const fs::path work = out.aside();
     std::vector<StudyRow> rows;
-    for (const auto& one : series) walk(one, ladder, work, rows);
+    for (const auto& one : series)
+      for (const int ranks : ranks_.empty() ? std::vector<int>{0} : ranks_) walk(one, ranks, ladder, work, rows);
     if (rows.empty())
       throw input::InputError({"--limit", 0, 0}, "every run is expected to take longer", "give more seconds");
     compare(rows, yardstick, zone_of(description));
@@ -101,8 +105,9 @@ class Study : public Command {
   }
 
   /// Runs one series up the ladder until a run would take too long.
-  void walk(const input::StudyVariant& series, const std::vector<input::StudyVariant>& ladder, const fs::path& work,
+  void walk(const input::StudyVariant& series, int ranks, const std::vector<input::StudyVariant>& ladder, const fs::path& work,
             std::vector<StudyRow>& rows) {
+    const std::string name = ranks > 0 ? fmt::format("{}, {} rank{}", series.name, ranks, ranks > 1 ? "s" : "") : series.name;
     std::vector<TimedRun> earlier;
     for (const input::StudyVariant& level : ladder) {
       CaseOptions options = options_;
@@ -113,16 +118,16 @@ class Study : public Command {
       long unknowns = 1;  // tier L0 has none
       for (const auto& [part, count] : plan.unknowns) unknowns += count;
       const double expected = earlier.empty() ? plan.seconds : expected_seconds(earlier, unknowns);
-      const std::string what = fmt::format("{}, {}: {} unknowns, about {} expected", series.name, level.name,
+      const std::string what = fmt::format("{}, {}: {} unknowns, about {} expected", name, level.name,
                                            unknowns - 1, duration_text(expected));
       if (expected > limit_) {
         notes_.push_back(fmt::format("not run: {}, more than --limit {:g}", what, limit_));
         return console().print("{}\n", notes_.back());
       }
       console().print("{}\n", what);
-      rows.push_back(measure(directory_, options, work));
+      rows.push_back(measure(directory_, options, ranks, work));
       StudyRow& row = rows.back();
-      row.series = series.name, row.level = level.name;
+      row.series = name, row.level = level.name;
       row.settings = fmt::format("{}", fmt::join(options.overrides, " "));
       earlier.push_back({unknowns, row.wall});
       console().print("  {}: {:.2f} s, {:.2f} s of processor, {}, mean pressure {:.6g} Pa\n", row.status, row.wall,
@@ -160,6 +165,7 @@ class Study : public Command {
   std::string directory_, against_, beside_, out_;
   CaseOptions options_;
   std::vector<double> factors_;
+  std::vector<int> ranks_;
   std::vector<std::string> vary_, notes_;
   int levels_ = 0;
   double limit_ = 300.0;

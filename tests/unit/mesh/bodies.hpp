@@ -5,6 +5,7 @@
 
 #include "mesh/body/body_mesh.hpp"
 #include "mesh/body/elliptic_outline.hpp"
+#include "mesh/body/section_centres.hpp"
 #include "mesh/garment/garment_mesh.hpp"
 
 namespace snug::mesh {
@@ -38,6 +39,25 @@ inline input::GarmentSpec tube_spec(double circumference = 0.28, double length =
   spec.pattern.length = length;
   spec.position = position;
   return spec;
+}
+
+/// What a location covers of the skin by the shares of its nodes: area, m2, and the mean of the points there.
+struct Covered {
+  double area = 0.0;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+};
+
+inline Covered covered_by(const BodyMesh& mesh, int location) {
+  Covered covered;
+  for (const auto& t : triangulated_nodes(mesh)) {
+    const double third = (mesh.nodes[t[1]] - mesh.nodes[t[0]]).cross(mesh.nodes[t[2]] - mesh.nodes[t[0]]).norm() / 6.0;
+    for (const int n : t) {
+      covered.area += third * mesh.location_shares.at(location).at(n);
+      covered.middle += third * mesh.location_shares.at(location).at(n) * mesh.nodes[n];
+    }
+  }
+  covered.middle /= covered.area;
+  return covered;
 }
 
 }  // namespace snug::mesh
