@@ -24,23 +24,49 @@ const std::vector<double>& values_of(const Fields& fields, const FieldName<doubl
   return values ? *values : none;
 }
 
-/// Mean over the cover and largest nodal value of a field of pressure.
+/// Force over cover, m2 and N.
 struct Pressures {
-  double covered = 0.0, force = 0.0, largest = 0.0;
-  void add(double area, double pressure) {
-    covered += area, force += area * pressure;
-    largest = std::max(largest, pressure);
-  }
+  double covered = 0.0, force = 0.0;
+  void add(double area, double normal_force) { covered += area, force += normal_force; }
 };
 
-/// A hem is a line load and no pressure of the location, unless there is nothing but hems. `share`: of a node's area that counts, 0 to 1. For the
-/// largest pressure nodes count that lie inside by half, all where none does.
+/// Of a place: of all its cover, and of that beside the hems.
+struct Cover {
+  Pressures all, inside;
+  void add(double area, double force, bool hem) {
+    all.add(area, force);
+    if (!hem) inside.add(area, force);
+  }
+  /// A hem is a line load and no pressure of the place, unless there is nothing but hems.
+  bool hem_only() const { return all.covered > 0.0 && !(inside.covered > 0.0); }
+  const Pressures& told() const { return hem_only() ? all : inside; }
+};
+
+/// From the points of the contact, each counting by the shares of the nodes about it, so that neither a place's border nor a hem's moves
+/// from one row of nodes to the next. `share`: of a node's area that counts, 0 to 1.
 template <class Share>
-LocationRow summarise(const std::string& name, const BodyResult& body, const std::vector<double>& areas, Share share) {
+Cover cover_by_points(const RunResult& run, Share share) {
+  Cover cover;
+  for (const ContactSample& sample : run.samples) {
+    if (sample.facet < 0 || !(sample.area > 0.0)) continue;
+    const auto& facet = run.body.skin_facets[sample.facet];
+    const std::array<double, 9> hats = hats_at(facet, sample.xi, sample.eta);
+    double own = 0.0;
+    for (std::size_t i = 0; i < facet.size(); ++i)
+      if (facet[i] >= 0) own += hats[i] * share(static_cast<std::size_t>(facet[i]));
+    if (own > 0.0) cover.add(own * sample.area, own * sample.force, sample.hem >= 0);
+  }
+  return cover;
+}
+
+/// The largest pressure is that of nodes that lie inside by half, of all where none does.
+template <class Share>
+LocationRow summarise(const std::string& name, const RunResult& run, const std::vector<double>& areas, Share share) {
+  const BodyResult& body = run.body;
   LocationRow row;
   row.name = name;
-  Pressures all, inside;
-  double inner = -1.0, any = 0.0;  // largest beside hems
+  Cover cover;  // by nodes
+  double inner = -1.0, any = 0.0, largest = 0.0;  // beside hems, and of all
   const std::vector<double>&pressure = values_of(body.fields, field::contact_pressure), &coverage = values_of(body.fields, field::coverage),
                            &hem = values_of(body.fields, field::hem);
   const std::vector<double>& beside = body.fields.has(field::largest_inside) ? body.fields[field::largest_inside] : pressure;
@@ -49,23 +75,22 @@ LocationRow summarise(const std::string& name, const BodyResult& body, const std
     if (own == 0.0) continue;
     const double area = own * entry(coverage, n);
     row.area += own;
-    all.add(area, entry(pressure, n));
-    if (entry(hem, n) == 0.0) inside.add(area, entry(pressure, n));
+    cover.add(area, area * entry(pressure, n), entry(hem, n) != 0.0);
+    largest = std::max(largest, entry(pressure, n));
     if (area <= 0.0) continue;  // a facet over the garment's edge has nodes that bear nothing
     any = std::max(any, entry(beside, n));
     if (share(n) >= 0.5) inner = std::max(inner, entry(beside, n));
   }
-  if (row.area > 0) row.coverage = all.covered / row.area;
-  const bool hem_only = all.covered > 0.0 && !(inside.covered > 0.0);
-  if (inside.covered < all.covered) row.pressures_of = hem_only ? "hem" : "cover beside hems";
-  const Pressures& told = hem_only ? all : inside;
-  if (told.covered > 0.0) row.mean_pressure = told.force / told.covered;
-  row.max_pressure = hem_only ? all.largest : inner >= 0.0 ? inner : any;
+  if (row.area > 0) row.coverage = cover.all.covered / row.area;
+  if (!run.samples.empty() && row.coverage > 0.0) cover = cover_by_points(run, share);
+  if (cover.inside.covered < cover.all.covered) row.pressures_of = cover.hem_only() ? "hem" : "cover beside hems";
+  if (const Pressures& told = cover.told(); told.covered > 0.0) row.mean_pressure = told.force / told.covered;
+  row.max_pressure = cover.hem_only() ? largest : inner >= 0.0 ? inner : any;
   return row;
 }
 
-LocationRow of_location(std::size_t location, const BodyResult& body, const std::vector<double>& areas) {
-  return summarise(body.locations[location], body, areas, [&](std::size_t n) { return body.share_in(location, n); });
+LocationRow of_location(std::size_t location, const RunResult& run, const std::vector<double>& areas) {
+  return summarise(run.body.locations[location], run, areas, [&](std::size_t n) { return run.body.share_in(location, n); });
 }
 
 /// Mean edge of the skin's facets, m.
@@ -78,9 +103,10 @@ double mean_cell(const BodyResult& body, const std::vector<double>& areas) {
 /// Share of a node that counts round the body at a height: less the farther it is, none from a cell on.
 double share_at(double height, double z, double cell) { return std::max(0.0, 1.0 - std::abs(z - height) / cell); }
 
-LocationRow at_height(double height, const BodyResult& body, const std::vector<double>& areas) {
+LocationRow at_height(double height, const RunResult& run, const std::vector<double>& areas) {
+  const BodyResult& body = run.body;
   const double cell = mean_cell(body, areas);
-  return summarise(fmt::format("{:.4g} mm", 1e3 * height), body, areas, [&](std::size_t n) { return share_at(height, body.nodes[n].z(), cell); });
+  return summarise(fmt::format("{:.4g} mm", 1e3 * height), run, areas, [&](std::size_t n) { return share_at(height, body.nodes[n].z(), cell); });
 }
 
 /// How much of a node's area lies in the locations of a name, 0 to 1.
@@ -193,7 +219,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
   const std::vector<double> areas = skin_areas(body);
   Evaluation evaluation;
   for (std::size_t location = 0; location < body.locations.size(); ++location)
-    evaluation.locations.push_back(of_location(location, body, areas));
+    evaluation.locations.push_back(of_location(location, run, areas));
   if (comfort && run.status == Status::converged) add_sensation(evaluation, *comfort, directory);
   return evaluation;
 }
@@ -211,7 +237,7 @@ std::vector<TargetRow> target_rows(const RunResult& run, const std::vector<Locat
   const std::vector<double> areas = skin_areas(run.body);
   for (const input::WantedPressure& wanted : target.pressures) {
     const auto known = std::find_if(locations.begin(), locations.end(), [&](const LocationRow& row) { return row.name == wanted.location; });
-    const LocationRow row = !wanted.height && known != locations.end() ? *known : at_height(wanted.height.value_or(0.0), run.body, areas);
+    const LocationRow row = !wanted.height && known != locations.end() ? *known : at_height(wanted.height.value_or(0.0), run, areas);
     rows.push_back({row.name, wanted.pressure, row.mean_pressure});
   }
   return rows;

@@ -222,6 +222,8 @@ double field_at(const Facets& facets, const ContactSample& sample, const std::ve
   return value;
 }
 
+std::array<double, 9> hats_at(const std::array<int, 9>& facet, double xi, double eta) { return shares(facet, xi, eta).hat; }
+
 std::array<double, 9> shape_at(const std::array<int, 9>& facet, double xi, double eta) { return shares(facet, xi, eta).shape; }
 
 SkinShear transfer_shear(const Facets& facets, const SkinPressure& normal, const std::vector<ContactSample>& samples) {

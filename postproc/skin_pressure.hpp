@@ -44,6 +44,9 @@ SkinPressure transfer(const std::vector<std::array<int, 9>>& facets, std::size_t
 /// A nodal field of the skin at the place of a sample that is on a facet, with the shape functions of the transfer.
 double field_at(const std::vector<std::array<int, 9>>& facets, const ContactSample& sample, const std::vector<double>& field);
 
+/// Hats of a facet's nodes at a point: what of the cover there counts to each node, 0 to 1, together 1.
+std::array<double, 9> hats_at(const std::array<int, 9>& facet, double xi, double eta);
+
 /// Values at a point of a facet of the shape functions of its nodes, as the transfer has them.
 std::array<double, 9> shape_at(const std::array<int, 9>& facet, double xi, double eta);
 

@@ -91,17 +91,40 @@ void check_flat(const GarmentCut& cut) {
                      "make it a pattern whose pieces have fabrics of their own");
 }
 
+PlacementOptions options_of(const GarmentCut& cut, const DressForm& form, double lift) {
+  PlacementOptions options;
+  options.clearance += lift - usual_lift;
+  if (cut.spec.position) options.lowest = *cut.spec.position + form.body.translation.z();
+  return options;
+}
+
 OnBody place_on_body(const GarmentCut& cut, const DressForm& form, double cell, double lift) {
   check_flat(cut);
   OnBody on{cut.pattern ? *cut.pattern : tube_pattern(cut.spec), {}, {}, {}};
   on.sewn = mesh_pattern(on.pattern, cell);
-  PlacementOptions options;
-  options.clearance += lift - usual_lift;
-  if (cut.spec.position) options.lowest = *cut.spec.position + form.body.translation.z();
-  on.placed = place_garment(on.pattern, on.sewn, form, options);
+  on.placed = place_garment(on.pattern, on.sewn, form, options_of(cut, form, lift));
   check_accepted(on.placed, on.pattern.pattern);
   on.fit = fit_on_body(on.sewn, on.placed, form);
   return on;
+}
+
+/// Placed on cells that show its shape, whatever it is solved on; none where it cannot be placed on those.
+std::optional<OnBody> place_on_its_own_cells(const GarmentCut& cut, const DressForm& form, double lift) {
+  try {
+    return place_on_body(cut, form, coarse_cell(cut), lift);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// The same garment in cells of another size.
+OnBody in_cells(const GarmentCut& cut, const std::optional<OnBody>& own, const DressForm& form, double cell, double lift) {
+  if (own) {
+    OnBody on{own->pattern, mesh_pattern(own->pattern, cell), {}, own->fit};
+    on.placed = carried_over(own->placed, own->sewn, on.pattern, on.sewn, form, options_of(cut, form, lift));
+    if (on.placed.accepted()) return on;
+  }
+  return place_on_body(cut, form, cell, lift);
 }
 
 }  // namespace
@@ -166,8 +189,9 @@ GarmentMesh make_garment_mesh(const GarmentCut& cut, const Limb& limb, double wo
 }
 
 GarmentMesh make_garment_mesh(const GarmentCut& cut, const DressForm& form, double worn_size, double lift) {
-  const double stretch = cut.spec.cell_size > 0.0 ? 1.0 : mean_stretch(mean_fit(placed_fit(cut, form)));
-  OnBody on = place_on_body(cut, form, flat_cell(cut, worn_size, stretch), lift);
+  const std::optional<OnBody> own = place_on_its_own_cells(cut, form, lift);
+  const double stretch = cut.spec.cell_size > 0.0 || !own ? 1.0 : mean_stretch(mean_fit(own->fit));
+  OnBody on = in_cells(cut, own, form, flat_cell(cut, worn_size, stretch), lift);
   for (Eigen::Vector3d& place : on.placed.places) place = form.body.in_file(place);
   const double off = stand_off(on.fit);
   return finished(cut, on.sewn, on.placed.places, std::move(on.fit), off);

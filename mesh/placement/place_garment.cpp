@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "mesh/placement/garment_chart.hpp"
 
@@ -324,6 +325,50 @@ PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn,
     placed = std::move(*moved);
   }
   return placed;
+}
+
+namespace {
+
+/// Barycentric coordinates of a point in the plane of a triangle.
+Vector3d barycentric(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& x) {
+  const auto twice = [](const Vector2d& u, const Vector2d& v) { return u.x() * v.y() - u.y() * v.x(); };
+  const double whole = twice(b - a, c - a), at_b = twice(x - a, c - a) / whole, at_c = twice(b - a, x - a) / whole;
+  return {1.0 - at_b - at_c, at_b, at_c};
+}
+
+/// Where a point of a flat piece lies: in the triangle that holds it, or beyond a chord of the border in the plane of the nearest one.
+Vector3d place_of(int piece, const Vector2d& x, const SewnMesh& mesh, const Places& places) {
+  double best = -std::numeric_limits<double>::max();
+  Vector3d place = Vector3d::Zero();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.triangle_piece[t] != piece) continue;
+    const auto& node = mesh.triangles[t];
+    const Vector3d share = barycentric(mesh.flat[node[0]], mesh.flat[node[1]], mesh.flat[node[2]], x);
+    if (share.minCoeff() <= best) continue;
+    best = share.minCoeff();
+    place = share[0] * places[node[0]] + share[1] * places[node[1]] + share[2] * places[node[2]];
+    if (best >= 0.0) break;
+  }
+  return place;
+}
+
+}  // namespace
+
+PlacedGarment carried_over(const PlacedGarment& placed, const SewnMesh& from, const CheckedPattern& checked, const SewnMesh& to, const DressForm& form,
+                           const PlacementOptions& options) {
+  std::vector<int> itself(to.flat.size());
+  std::iota(itself.begin(), itself.end(), 0);
+  const Vertices apart = vertices_of(to, itself), together = vertices_of(to, to.merged);
+  Places places;
+  for (const int node : apart.node) places.push_back(place_of(to.node_piece[node], to.flat[node], from, placed.places));
+  ClothParticles cloth(merged_places(apart, together, places), triangles_of(to, together.number));
+  ParticleStep off_the_skin;  // without any pull: that alone
+  off_the_skin.stiffness = off_the_skin.bending = 0.0;
+  off_the_skin.clearance = options.clearance;
+  cloth.advance(off_the_skin, {}, form.distance);
+  PlacedGarment carried = placed;
+  finish(checked, to, form, together, cloth, off_the_skin, 0, carried);
+  return carried;
 }
 
 void check_accepted(const PlacedGarment& placed, const Pattern& pattern) {

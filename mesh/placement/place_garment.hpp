@@ -48,6 +48,12 @@ struct PlacedGarment {
 PlacedGarment place_garment(const CheckedPattern& checked, const SewnMesh& sewn, const DressForm& form,
                             const PlacementOptions& options = {});
 
+/// A garment that was placed as one mesh of its pattern, carried over to another: a vertex goes where its point of the flat piece lies in the triangles of
+/// `from`, and off the skin, single places are mended and the whole is judged anew. So where cloth lies does not hang on the mesh that is solved on:
+/// particles settle differently on every mesh, by up to a hundredth of the garment's length along a limb.
+PlacedGarment carried_over(const PlacedGarment& placed, const SewnMesh& from, const CheckedPattern& checked, const SewnMesh& to, const DressForm& form,
+                           const PlacementOptions& options = {});
+
 /// Throws input::InputError with every criterion that is not met.
 void check_accepted(const PlacedGarment& placed, const Pattern& pattern);
 
