@@ -10,6 +10,7 @@
 
 #include "cases/input/field.hpp"
 #include "cases/input/material_entry.hpp"
+#include "cases/input/standard_morph.hpp"
 
 namespace snug::input {
 
@@ -203,6 +204,9 @@ constexpr auto texts_of(ScanCells) { return std::array{"auto", "hexahedra", "tet
 
 struct ScanSpec {
   std::string standard;               ///< name of a body that ships; then `surface`, unit and axes are its own
+  std::optional<double> stature;      ///< m, of the standard body
+  std::vector<GirthSpec> girths;      ///< that are asked of it
+  std::optional<BodyMorph> morph;     ///< what follows from both; not in the file
   std::filesystem::path surface;      ///< OBJ, STL, PLY, OFF or v/f text
   std::optional<double> unit;         ///< metres per file unit; guessed from the size where it is left out
   FileAxis up = FileAxis::z, front = FileAxis::y;  ///< that become +z and +y
@@ -221,6 +225,10 @@ struct ScanSpec {
     field(Field{.key = "standard",
                 .meaning = "instead of a surface: a body that ships, \"woman\" or \"man\", with unit, axes, cuts by name and locations (snug list bodies)"},
           self.standard);
+    field(Field{.key = "stature", .unit = "m", .meaning = "of a standard body: its height; heights go by it, girths do not", .bound = positive()}, self.stature);
+    field(Field{.key = "girth", .meaning = "of a standard body: girths that it gets, e.g. girth = [{ at = \"waist\", length = \"720 mm\" }, { at = \"knee\", length = \"350 mm\" }]; "
+                           "those not named go along with their neighbours"},
+          self.girths);
     field(Field{.key = "surface", .meaning = "file of the scanned surface: OBJ, STL, PLY, OFF or v/f text"}, self.surface);
     field(Field{.key = "unit",
                 .unit = "m",

@@ -154,6 +154,32 @@ void check_contradictions(const ScanSpec& scan, const Table& table, Diagnostics&
   if (scan.front != FileAxis::y) refuse("front", "leave it out: y points to the front");
 }
 
+void take_locations(const StandardBody& standard, BodySpec& body) {
+  body.locations = standard.locations;
+  for (LocationSpec& location : body.locations) location.where_there = true, location.where = body.where;
+}
+
+/// Cuts by name and locations of the body go with its skin; points that the case gives stay where it wants them.
+void reshape(const StandardBody& standard, const Table& table, BodySpec& body, Diagnostics& diagnostics) {
+  ScanSpec& scan = *body.scan;
+  scan.morph = body_morph(standard, scan.girths, scan.stature, table.table("scan")->where, diagnostics);
+  const auto is_its_own = [&](const NamedCut& cut) {
+    const StandardCut* own = standard.cut(cut.name);
+    return own && own->point == cut.point;
+  };
+  for (NamedCut& cut : scan.cuts)
+    if (is_its_own(cut))
+      for (const BodyRing& ring : scan.morph->rings)
+        if (ring.name == cut.name)
+          for (int k = 0; k < 3; ++k) {
+            const double sign = cut.normal[k] * ring.normal[k] < 0.0 ? -1.0 : 1.0;
+            cut.point[k] = ring.point[k] + ring.shift[k];
+            cut.normal[k] = std::abs(std::abs(cut.normal[k]) - std::abs(standard.cut(cut.name)->normal[k])) < 1e-12 ? sign * ring.normal[k] : cut.normal[k];
+          }
+  for (LocationSpec& location : body.locations)
+    if (location.where_there && location.at) location.at = moved(*scan.morph, *location.at);
+}
+
 }  // namespace
 
 const StandardCut* StandardBody::cut(const std::string& name) const {
@@ -181,7 +207,12 @@ StandardBody read_standard_body(const fs::path& folder, const std::string& name)
 
 void use_standard_body(BodySpec& body, const Table& table, const fs::path& folder, Diagnostics& diagnostics) {
   const Table* scan_table = table.table("scan");
-  if (!body.scan || !scan_table || body.scan->standard.empty()) return;
+  if (!body.scan || !scan_table) return;
+  if (body.scan->standard.empty()) {
+    for (const char* key : {"stature", "girth"})
+      if (scan_table->find(key)) diagnostics.error(scan_table->where_is(key), fmt::format("{} is asked of a scan, which has its own", key), "name a standard body: standard = \"woman\"");
+    return;
+  }
   ScanSpec& scan = *body.scan;
   const std::vector<std::string> names = standard_bodies(folder);
   if (std::find(names.begin(), names.end(), scan.standard) == names.end())
@@ -195,9 +226,8 @@ void use_standard_body(BodySpec& body, const Table& table, const fs::path& folde
     return diagnostics.error(scan_table->where, "no cut says which part of the standard body is meant",
                              fmt::format("name those that border on it, e.g. cut = [\"waist\", \"ankle left\", \"ankle right\"]; known: {}", joined(names_of(standard.cuts))));
   place_cuts(scan, standard, diagnostics);
-  if (table.find("locations")) return;
-  body.locations = standard.locations;
-  for (LocationSpec& location : body.locations) location.where_there = true, location.where = body.where;
+  if (!table.find("locations")) take_locations(standard, body);
+  if (scan.stature || !scan.girths.empty()) reshape(standard, table, body, diagnostics);
 }
 
 }  // namespace snug::input

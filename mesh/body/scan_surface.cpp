@@ -4,6 +4,9 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <stdexcept>
+
+#include "mesh/surface/morph.hpp"
 
 namespace snug::mesh {
 
@@ -42,6 +45,22 @@ double guessed_unit(const TriangleSurface& surface, std::vector<std::string>& sa
   return unit;
 }
 
+Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+/// Gives a standard body the stature and girths that are asked, and says what came out.
+void reshape(const input::BodyMorph& asked, const Location& where, ScanSurface& scan) {
+  for (auto& x : scan.surface.vertices) x.z() *= asked.stature;
+  std::vector<Ring> rings;
+  for (const input::BodyRing& ring : asked.rings) rings.push_back({ring.name, vector(ring.point), vector(ring.normal), ring.factor, vector(ring.shift), ring.asked, ring.end});
+  try {
+    for (const RingGirth& girth : morph(scan.surface, rings))
+      scan.said.push_back(girth.asked ? fmt::format("girth of {}: {:.1f} mm, asked {:.1f}, before {:.1f}", girth.name, 1e3 * girth.is, 1e3 * *girth.asked, 1e3 * girth.was)
+                                      : fmt::format("girth of {}: {:.1f} mm, goes along, before {:.1f}", girth.name, 1e3 * girth.is, 1e3 * girth.was));
+  } catch (const std::runtime_error& error) {
+    throw InputError(where, fmt::format("the standard body cannot be given these girths: {}", error.what()), "ask for girths that are nearer to its own");
+  }
+}
+
 }  // namespace
 
 ScanSurface read_scan_surface(const input::ScanSpec& spec, const Location& where) {
@@ -51,6 +70,7 @@ ScanSurface read_scan_surface(const input::ScanSpec& spec, const Location& where
   scan.surface = read_surface(spec.surface);
   scan.unit = spec.unit ? *spec.unit : guessed_unit(scan.surface, scan.said);
   for (auto& vertex : scan.surface.vertices) vertex = scan.to_body * (scan.unit * vertex);
+  if (spec.morph) reshape(*spec.morph, where, scan);
   return scan;
 }
 

@@ -30,6 +30,12 @@ double coarse_cell(const GarmentCut& cut) {
   return std::sqrt(size.area / 2500.0);
 }
 
+/// Cells that a garment is placed on: as fine as those that it is solved on mostly are, since folds between coarse ones remain.
+double placing_cell(const GarmentCut& cut) {
+  const CutSize size = size_of(cut);
+  return std::sqrt(size.area / 9000.0);
+}
+
 /// How far the body stretches the garment round it, at least 1, to a thousandth.
 double mean_stretch(const MeanFit& mean) { return std::round(1e3 * std::max(1.0, mean.stretch)) / 1e3; }
 
@@ -108,10 +114,10 @@ OnBody place_on_body(const GarmentCut& cut, const DressForm& form, double cell, 
   return on;
 }
 
-/// Placed on cells that show its shape, whatever it is solved on; none where it cannot be placed on those.
+/// Placed on cells of its own, whatever it is solved on; none where it cannot be placed on those.
 std::optional<OnBody> place_on_its_own_cells(const GarmentCut& cut, const DressForm& form, double lift) {
   try {
-    return place_on_body(cut, form, coarse_cell(cut), lift);
+    return place_on_body(cut, form, placing_cell(cut), lift);
   } catch (const InputError&) {
     return std::nullopt;
   }

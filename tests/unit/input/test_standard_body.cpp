@@ -114,6 +114,35 @@ TEST_F(StandardBodies, WhatDoesNotFitTogetherIsRefusedWithARemedy) {
   EXPECT_THAT(error_of("standard = \"woman\"\n" + cuts), testing::StrEq("none"));
 }
 
+TEST_F(StandardBodies, GirthsThatAreNotAskedGoAlong) {
+  // The factor of the seat is that of the whole leg down to the knee, which has its own; the chest goes along with the waist, and shoulders with the chest.
+  const Case c = read_scan("standard = \"woman\"\nstature = \"170 cm\"\ngirth = [{ at = \"waist\", length = \"726 mm\" }, { at = \"hips\", length = \"103.73 cm\" }, { at = \"knee\", length = \"365.2 mm\" }]\n"
+                           "cut = [\"waist\", \"ankle left\", \"ankle right\"]");
+  ASSERT_TRUE(c.body->scan->morph);
+  const auto ring = [&](const std::string& name) {
+    for (const BodyRing& one : c.body->scan->morph->rings)
+      if (one.name == name) return one;
+    ADD_FAILURE() << name;
+    return BodyRing{};
+  };
+  for (const std::string name : {"waist", "seat", "chest", "neck", "arm left", "wrist right", "thigh left", "knee right", "ankle left"}) EXPECT_NEAR(ring(name).factor, 1.1, 1e-3) << name;
+  EXPECT_TRUE(ring("knee left").asked && ring("knee right").asked && !ring("calf left").asked);
+  EXPECT_NEAR(ring("waist").point[2], 1.0371 * 1.700 / 1.605, 1e-3);
+  EXPECT_NEAR(ring("thigh right").shift[0], 0.00999, 1e-4);
+  EXPECT_NEAR(ring("ankle left").shift[0], -0.00999, 1e-4) << "a leg moves as a whole";
+  EXPECT_NEAR(c.body->scan->cuts[0].point[2], ring("waist").point[2], 1e-12) << "cuts go with the body";
+}
+
+TEST_F(StandardBodies, GirthsThatCannotBeMadeAreRefused) {
+  const std::string cuts = "cut = [\"waist\", \"ankle left\", \"ankle right\"]\n", woman = "standard = \"woman\"\n" + cuts;
+  EXPECT_THAT(error_of(woman + "girth = [{ at = \"wast\", length = \"72 cm\" }]\n"), HasSubstr("the standard body has no girth \"wast\"; did you mean waist?"));
+  EXPECT_THAT(error_of(woman + "girth = [{ at = \"waist\", length = \"72 mm\" }]\n"), HasSubstr("waist is 660 mm round and 72 mm are asked"));
+  EXPECT_THAT(error_of(woman + "girth = [{ at = \"knee\", length = \"35 cm\" }, { at = \"knee left\", length = \"36 cm\" }]\n"), HasSubstr("the girth of \"knee left\" is asked twice"));
+  EXPECT_THAT(error_of(woman + "girth = [{ at = \"waist\", length = 72 }]\n"), HasSubstr("72"));
+  EXPECT_THAT(error_of(woman + "stature = \"17 cm\"\n"), HasSubstr("a stature of 170 mm is asked of a body of 1605 mm"));
+  EXPECT_THAT(error_of("surface = \"case.toml\"\nstature = \"170 cm\"\n" + cuts), HasSubstr("stature is asked of a scan, which has its own"));
+}
+
 TEST_F(StandardBodies, TheEchoIsReadAsTheSameCase) {
   const Case c = read_scan("standard = \"woman\"\ncut = [\"waist\", \"ankle left\", \"ankle right\"]");
   const std::string echo = echo_text(c);
