@@ -159,7 +159,7 @@ void take_locations(const StandardBody& standard, BodySpec& body) {
   for (LocationSpec& location : body.locations) location.where_there = true, location.where = body.where;
 }
 
-/// Cuts by name and locations of the body go with its skin; points that the case gives stay where it wants them.
+/// Cuts by name go with the body, as its locations do with its skin (mesh/body/scan_surface); points that the case gives stay where it wants them.
 void reshape(const StandardBody& standard, const Table& table, BodySpec& body, Diagnostics& diagnostics) {
   ScanSpec& scan = *body.scan;
   scan.morph = body_morph(standard, scan.girths, scan.stature, table.table("scan")->where, diagnostics);
@@ -176,8 +176,6 @@ void reshape(const StandardBody& standard, const Table& table, BodySpec& body, D
             cut.point[k] = ring.point[k] + ring.shift[k];
             cut.normal[k] = std::abs(std::abs(cut.normal[k]) - std::abs(standard.cut(cut.name)->normal[k])) < 1e-12 ? sign * ring.normal[k] : cut.normal[k];
           }
-  for (LocationSpec& location : body.locations)
-    if (location.where_there && location.at) location.at = moved(*scan.morph, *location.at);
 }
 
 }  // namespace

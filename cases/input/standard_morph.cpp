@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -54,7 +53,7 @@ class Morpher {
   Morpher(const StandardBody& body, double stature) : body_(body) {
     morph_.stature = stature;
     const auto add = [&](const std::string& name, const Point& point, const Point& normal, double girth, const std::string& towards) {
-      BodyRing ring{name, {point[0], point[1], stature * point[2]}, {normal[0], normal[1], normal[2] / stature}, 1.0, {}, girth, {}, "", false};
+      BodyRing ring{name, {point[0], point[1], stature * point[2]}, {normal[0], normal[1], normal[2] / stature}, 1.0, {}, girth, {}, false};
       const double length = std::sqrt(dot(ring.normal, ring.normal));
       for (double& n : ring.normal) n /= length;
       morph_.rings.push_back(ring), towards_.push_back(towards);
@@ -76,9 +75,7 @@ class Morpher {
     follow_trunk();
     for (std::size_t n = 0; n < morph_.rings.size(); ++n)
       if (of_one_side(morph_.rings[n].name) && !of_one_side(parent(n)->name)) follow_limb(n);
-    for (std::size_t n = 0; n < morph_.rings.size(); ++n) {
-      BodyRing& ring = morph_.rings[n];
-      ring.towards = of_one_side(ring.name) ? (of_one_side(towards_[n]) ? towards_[n] : "") : next_lower(ring);
+    for (BodyRing& ring : morph_.rings) {
       if (of_one_side(ring.name)) ring.shift[0] = std::copysign(outwards(ring), ring.point[0]);
       ring.end = std::none_of(towards_.begin(), towards_.end(), [&](const std::string& to) { return to == ring.name; }) && (of_one_side(ring.name) || ring.name == highest()->name);
     }
@@ -115,13 +112,6 @@ class Morpher {
   }
   BodyRing* highest() { return extreme(true); }
   BodyRing* lowest() { return extreme(false); }
-
-  std::string next_lower(const BodyRing& ring) const {
-    const BodyRing* found = nullptr;
-    for (const BodyRing& other : morph_.rings)
-      if (!of_one_side(other.name) && other.point[2] < ring.point[2] && (!found || other.point[2] > found->point[2])) found = &other;
-    return found ? found->name : "";
-  }
 
   /// The next ring on the way to the trunk; of thighs its lowest.
   BodyRing* parent(std::size_t ring) {
@@ -175,17 +165,6 @@ void check_stature(const StandardBody& body, double stature, const Location& whe
                     fmt::format("check number and unit; {:.0f} to {:.0f} mm can be made", 1e3 * shortest * body.stature, 1e3 * tallest * body.stature));
 }
 
-/// Where the piece between two rings takes a point.
-Point carried(const BodyRing& a, const BodyRing& b, double share, const Point& x) {
-  Point middle, normal;
-  for (int k = 0; k < 3; ++k) middle[k] = mixed(a.point[k], b.point[k], share), normal[k] = mixed(a.normal[k], b.normal[k] * (dot(a.normal, b.normal) < 0.0 ? -1.0 : 1.0), share);
-  const Point arm = difference(x, middle);
-  const double along = dot(arm, normal) / dot(normal, normal), factor = mixed(a.factor, b.factor, share);
-  Point to = x;
-  for (int k = 0; k < 3; ++k) to[k] += (factor - 1.0) * (arm[k] - along * normal[k]) + mixed(a.shift[k], b.shift[k], share);
-  return to;
-}
-
 }  // namespace
 
 BodyMorph body_morph(const StandardBody& body, const std::vector<GirthSpec>& girths, std::optional<double> stature, const Location& where, Diagnostics& diagnostics) {
@@ -193,22 +172,6 @@ BodyMorph body_morph(const StandardBody& body, const std::vector<GirthSpec>& gir
   Morpher morpher(body, stature.value_or(body.stature) / body.stature);
   for (const GirthSpec& girth : girths) morpher.ask(girth, diagnostics);
   return morpher.made();
-}
-
-Point moved(const BodyMorph& morph, Point point) {
-  point[2] *= morph.stature;
-  double least = std::numeric_limits<double>::max();
-  Point to = point;
-  for (const BodyRing& from : morph.rings)
-    for (const BodyRing& on : morph.rings) {
-      if (from.towards != on.name) continue;
-      const Point line = difference(on.point, from.point), arm = difference(point, from.point);
-      const double length = dot(line, line), share = length > 0.0 ? std::clamp(dot(arm, line) / length, 0.0, 1.0) : 0.0;
-      Point off;
-      for (int k = 0; k < 3; ++k) off[k] = arm[k] - share * line[k];
-      if (dot(off, off) < least) least = dot(off, off), to = carried(from, on, share, point);
-    }
-  return to;
 }
 
 }  // namespace snug::input

@@ -35,7 +35,6 @@ struct BodyRing {
   std::array<double, 3> shift = {0, 0, 0};   ///< m
   double was = 0.0;                          ///< m, girth of the standard body
   std::optional<double> asked;               ///< m
-  std::string towards;                       ///< the next ring of the same limb or trunk, inwards or downwards; empty: none
   bool end = false;                          ///< no other ring is farther out: head, hands and feet beyond it only go along
 };
 
@@ -49,8 +48,5 @@ struct BodyMorph {
 /// becomes wider where they hang on, legs also by as much as they become thicker. Reports a girth that the body does not have, one that is asked
 /// twice, and one (or a stature) that is too far from the body's own to be made of it.
 BodyMorph body_morph(const StandardBody& body, const std::vector<GirthSpec>& girths, std::optional<double> stature, const Location& where, Diagnostics& diagnostics);
-
-/// Where a point near the skin goes, with the rings on either side of it.
-std::array<double, 3> moved(const BodyMorph& morph, std::array<double, 3> point);
 
 }  // namespace snug::input

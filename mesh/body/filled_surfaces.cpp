@@ -114,7 +114,7 @@ class Filling {
     if (!layering_.bone()) mesh_.bone_nodes = mesh_.surface("bone")->nodes;
     mesh_.skin_facets = mesh_.surface("skin")->facets;
     mesh_.mean_skin_cell = mean_edge(mesh_, mesh_.skin_facets);
-    assign_locations(spec_.locations, mesh_);
+    assign_locations(from_.locations, mesh_);
   }
 
   /// New numbers of the nodes that cells use.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,6 +50,7 @@ Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2
 
 /// Gives a standard body the stature and girths that are asked, and says what came out.
 void reshape(const input::BodyMorph& asked, const Location& where, ScanSurface& scan) {
+  scan.before = scan.surface.vertices;
   for (auto& x : scan.surface.vertices) x.z() *= asked.stature;
   std::vector<Ring> rings;
   for (const input::BodyRing& ring : asked.rings) rings.push_back({ring.name, vector(ring.point), vector(ring.normal), ring.factor, vector(ring.shift), ring.asked, ring.end});
@@ -72,6 +74,18 @@ ScanSurface read_scan_surface(const input::ScanSpec& spec, const Location& where
   for (auto& vertex : scan.surface.vertices) vertex = scan.to_body * (scan.unit * vertex);
   if (spec.morph) reshape(*spec.morph, where, scan);
   return scan;
+}
+
+std::vector<input::LocationSpec> on_skin(std::vector<input::LocationSpec> locations, const ScanSurface& scan) {
+  if (scan.before.empty()) return locations;
+  for (input::LocationSpec& location : locations) {
+    if (!location.where_there || !location.at) continue;
+    const Eigen::Vector3d at = vector(*location.at);
+    const auto nearest = std::min_element(scan.before.begin(), scan.before.end(), [&](const auto& a, const auto& b) { return (a - at).squaredNorm() < (b - at).squaredNorm(); });
+    const Eigen::Vector3d way = scan.surface.vertices[nearest - scan.before.begin()] - *nearest;
+    for (int k = 0; k < 3; ++k) (*location.at)[k] += way[k];
+  }
+  return locations;
 }
 
 }  // namespace snug::mesh

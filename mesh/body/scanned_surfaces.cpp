@@ -44,6 +44,7 @@ class Maker {
     ScanSurface read = read_scan_surface(scan_, spec_.where);
     report_.said = read.said;
     to_body_ = read.to_body, unit_ = read.unit;
+    made_.locations = on_skin(spec_.locations, read);
     find_cuts();
     mended_ = mend(read.surface, {.hole = scan_.fill_holes});
     say_mendings(mended_.mendings);

@@ -19,6 +19,7 @@ class NotMeshed : public input::InputError {
 struct ScannedSurfaces {
   std::vector<Cut> cuts;                ///< in the frame of the body, m
   std::vector<NestedSurface> surfaces;  ///< from the skin inwards to the core
+  std::vector<input::LocationSpec> locations;  ///< of the case, on a body of other girths where the skin has them
   TriangleSurface kept;                 ///< of the scan, closed by flat faces at the cuts
 };
 
