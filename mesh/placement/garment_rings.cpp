@@ -22,13 +22,15 @@ struct SeamSide {
   int seam = 0, piece = 0, partner = 0;
   std::vector<Vector2d> points;  // in the direction of the outline
   bool dart = false;
+  bool goes_on = false;  // from the upper end of an upright one
 
   Vector2d chord() const { return points.back() - points.front(); }
-  bool upright() const { return std::abs(chord().y()) > std::abs(chord().x()); }
+  bool upright() const { return goes_on || std::abs(chord().y()) > std::abs(chord().x()); }
   bool on_right() const { return chord().y() > 0.0; }  // the cloth is on the left of its outline
   double bottom() const { return std::min(points.front().y(), points.back().y()); }
   double top() const { return std::max(points.front().y(), points.back().y()); }
   Vector2d lower_end() const { return on_right() ? points.front() : points.back(); }
+  Vector2d upper_end() const { return on_right() ? points.back() : points.front(); }
 };
 
 std::set<int> pieces_of(const EdgeChain& chain) {
@@ -66,6 +68,18 @@ std::vector<SeamSide> seam_sides(const Pattern& pattern) {
     sides.push_back(std::move(one)), sides.push_back(std::move(other));
   }
   return sides;
+}
+
+/// What goes on upwards where an upright seam of the same border ends parts neighbours, too, however flat it lies: the centre seam of shorts with
+/// a low waist. A seam on top of a shoulder begins and ends at open edges.
+void find_flat_neighbours(std::vector<SeamSide>& sides) {
+  for (SeamSide& side : sides) {
+    if (side.dart || side.upright()) continue;
+    side.goes_on = std::any_of(sides.begin(), sides.end(), [&](const SeamSide& below) {
+      return below.piece == side.piece && !below.dart && !below.goes_on && below.upright() && below.on_right() == side.on_right() &&
+             (below.upper_end() - side.lower_end()).norm() < 1e-6 * side.chord().norm();
+    });
+  }
 }
 
 /// A seam between neighbours stands upright on both, on the right of one and on the left of the other.
@@ -295,7 +309,8 @@ double Border::at(double y) const {
 
 GarmentRings find_rings(const CheckedPattern& checked) {
   const Pattern& pattern = checked.pattern;
-  const std::vector<SeamSide> sides = seam_sides(pattern);
+  std::vector<SeamSide> sides = seam_sides(pattern);
+  find_flat_neighbours(sides);
   check_upright(pattern, sides);
   const Neighbours neighbours(pattern, sides);
   std::vector<int> ring = neighbours.ring();

@@ -1,6 +1,8 @@
 #include "mesh/garment/garment_cut.hpp"
 #include "mesh/garment/tube_pattern.hpp"
+#include "mesh/pattern/trimming.hpp"
 #include "mesh/placement/closed_skin.hpp"
+#include "mesh/placement/garment_rings.hpp"
 #include "tests/unit/mesh/bodies.hpp"
 #include "tests/unit/mesh/branching_bodies.hpp"
 #include "tests/unit/mesh/patterns.hpp"
@@ -121,6 +123,17 @@ TEST(BranchingPlacement, BothLegsAlike) {
     EXPECT_NEAR(right[n].body, left[n].body, 0.02 * left[n].body);
     EXPECT_NEAR(right[n].girth, left[n].girth, 0.03 * left[n].girth);
   }
+}
+
+// Shorts that are cut off on the hips, so low that their centre seams lie flatter than they rise, are shorts still: their fork is where the inseams end.
+TEST(BranchingPlacement, ShortsCutLowOnTheHipsHaveLegs) {
+  const Pattern low = trimmed(shorts().pattern->pattern, 0.0, 0.150, {});  // the centre seams go 12 mm across and 10 mm up
+  const GarmentRings rings = find_rings(checked(low));
+  EXPECT_EQ(rings.kind, GarmentKind::legs);
+  EXPECT_NEAR(rings.fork - rings.hem, 0.14, 1e-4);  // y from 80 to 220 mm in the drawing
+  GarmentCut cut = shorts();
+  cut.pattern = checked(low);
+  EXPECT_EQ(make_garment_mesh(cut, child_form(), 0.015).edges.size(), 3u);
 }
 
 // The keys of a case work as on a limb: a lowest point, factors of the pattern's size; and what they make impossible is refused with lengths.
