@@ -105,4 +105,13 @@ double stand_off(const GarmentFit& fit) {
   return wider;
 }
 
+double above_girths(const GarmentFit& fit) {
+  constexpr double between_rows = 3.0 / rows_by_height;  // of the height: rows end half of one below the top
+  double highest = fit.lower;
+  for (const LimbFit& limb : fit.limbs)
+    for (const FitRow& row : limb.rows) highest = std::max(highest, row.height);
+  const double above = fit.upper - highest;
+  return !fit.limbs.empty() && above > between_rows * (fit.upper - fit.lower) ? above : 0.0;
+}
+
 }  // namespace snug::mesh

@@ -13,4 +13,7 @@ GarmentFit fit_on_body(const SewnMesh& sewn, const PlacedGarment& placed, const 
 /// m, by how much the widest part that goes all the way round stands off all round; 0: nowhere wider than the body.
 double stand_off(const GarmentFit& fit);
 
+/// m, height of what lies over all girths of a garment on a body that branches: cloth on the shoulders, of which no girth tells whether it is taut. 0: none.
+double above_girths(const GarmentFit& fit);
+
 }  // namespace snug::mesh

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mesh/placement/fit_on_body.hpp"
 #include "solver/scene/supports.hpp"
 #include "solver/terms/dead_load.hpp"
 #include "solver/terms/fabric_bending.hpp"
@@ -69,7 +70,8 @@ LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMes
   const bool loose = mesh.stand_off > 0.0;
   if (garment.bending.value_or(false) && mesh.order != 2)
     throw input::InputError(garment.where, "bending takes quadratic triangles and order is 1", "write order = 2, or leave bending out");
-  return {garment.bending.value_or(loose && mesh.order == 2), garment.weight.value_or(loose)};
+  const bool may_fold = loose || mesh::above_girths(mesh.fit) > 0.0;
+  return {garment.bending.value_or(may_fold && mesh.order == 2), garment.weight.value_or(loose)};
 }
 
 void add_loose_cloth(const Model& model, int g, const mesh::GarmentMesh& mesh, Scene& scene) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/placement/fit_on_body.hpp"
 #include "solver/scene/bands.hpp"
 #include "solver/scene/constraints.hpp"
 #include "solver/scene/laplace.hpp"
@@ -110,15 +111,17 @@ void list_loose_cloth(const GarmentModel& model, const mesh::GarmentMesh& mesh, 
   const input::GarmentSpec& garment = model.spec;
   const std::string& name = garment.name;
   const LooseCloth cloth = loose_cloth(garment, mesh);
-  const bool loose = mesh.stand_off > 0.0;
-  const std::string why = loose ? fmt::format("the {} is up to {:.3g} mm wider all round than the body", name, 1e3 * mesh.stand_off)
-                                : "the " + name + " is nowhere wider than the body";
-  const auto put = [&](const std::string& part, bool in, const std::optional<bool>& asked, const std::string& size) {
-    const std::string reason = asked ? "the case says so" : in || !loose ? why : "it takes quadratic triangles";
+  const bool loose = mesh.stand_off > 0.0, on_shoulders = !loose && mesh::above_girths(mesh.fit) > 0.0;
+  const std::string wide = loose ? fmt::format("the {} is up to {:.3g} mm wider all round than the body", name, 1e3 * mesh.stand_off)
+                                 : "the " + name + " is nowhere wider than the body";
+  const std::string bent = !loose && !on_shoulders ? wide : !cloth.bending ? "it takes quadratic triangles"
+                           : loose ? wide : "on shoulders no girth tells where the " + name + " is taut";
+  const auto put = [&](const std::string& part, bool in, const std::optional<bool>& asked, const std::string& size, const std::string& why) {
+    const std::string reason = asked ? "the case says so" : why;
     (in ? plan.parts_in : plan.parts_out).push_back(fmt::format("{}: {}{}", part, in ? size + "; " : "", reason));
   };
-  put(name == "garment" ? "bending" : "bending of the " + name, cloth.bending, garment.bending, of_each(model, bending_text));
-  put("weight of the " + name, cloth.weight, garment.weight, of_each(model, weight_text));
+  put(name == "garment" ? "bending" : "bending of the " + name, cloth.bending, garment.bending, of_each(model, bending_text), bent);
+  put("weight of the " + name, cloth.weight, garment.weight, of_each(model, weight_text), wide);
 }
 
 /// What of a garment is of which fabric, where it is of several.

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "mesh/placement/fit_on_body.hpp"
 #include "mesh/placement/garment_chart.hpp"
 #include "tests/unit/mesh/patterns.hpp"
 #include "tests/unit/mesh/placement_patterns.hpp"
@@ -302,6 +303,15 @@ TEST(PrincipalStretches, OfAStretchedAndShearedTriangle) {
   const double trace = 1.44 + 0.09 + 0.64, determinant = 0.96 * 0.96;
   EXPECT_NEAR(stretch[0] * stretch[0], 0.5 * (trace + std::sqrt(trace * trace - 4 * determinant)), 1e-12);
   EXPECT_NEAR(stretch[1] * stretch[1], 0.5 * (trace - std::sqrt(trace * trace - 4 * determinant)), 1e-12);
+}
+
+// What lies over all girths is told, cloth on shoulders: the straps end 230 mm above the sides. The girths of leggings reach to their waist.
+TEST(Placement, ClothOverAllGirthsIsTold) {
+  const Worn vest = worn(test_vest, 0.02), leggings = worn(test_leggings, 0.02);
+  const double above = above_girths(fit_on_body(vest.sewn, vest.placed, figure()));
+  EXPECT_GT(above, 0.15);
+  EXPECT_LT(above, 0.30);
+  EXPECT_EQ(above_girths(fit_on_body(leggings.sewn, leggings.placed, figure())), 0.0);
 }
 
 }  // namespace snug::mesh
