@@ -214,7 +214,7 @@ struct GarmentSpec {
           self.order);
     field(Field{.key = "bending",
                 .meaning = "true: the fabric's bending stiffness is part of the scene; left out: where a part of the garment "
-                           "is wider than the body as placed"},
+                           "is wider than the body as placed or lies on shoulders"},
           self.bending);
     field(Field{.key = "weight",
                 .meaning = "true: the fabric's weight is part of the scene, along load.gravity or else down the body's axis; "
