@@ -212,6 +212,14 @@ Evidence load_evidence(const input::ComfortSpec& comfort, const std::filesystem:
   return evidence;
 }
 
+/// Each state of a movement is an answer, wherever the movement ends.
+static MovementRating rating_of(const MovementState& state, const std::optional<input::ComfortSpec>& comfort, const std::filesystem::path& directory) {
+  Evaluation one;
+  one.locations = state.locations;
+  if (comfort) add_sensation(one, *comfort, directory);
+  return {std::move(one.locations), std::move(one.comfort), std::move(one.no_score)};
+}
+
 Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec>& comfort,
                     const std::filesystem::path& directory) {
   const BodyResult& body = run.body;
@@ -221,6 +229,7 @@ Evaluation evaluate(const RunResult& run, const std::optional<input::ComfortSpec
   for (std::size_t location = 0; location < body.locations.size(); ++location)
     evaluation.locations.push_back(of_location(location, run, areas));
   if (comfort && run.status == Status::converged) add_sensation(evaluation, *comfort, directory);
+  for (const MovementState& state : run.movement) evaluation.movement.push_back(rating_of(state, comfort, directory));
   return evaluation;
 }
 

@@ -10,25 +10,10 @@
 #include "cases/input/job_spec.hpp"
 #include "postproc/comfort/comfort.hpp"
 #include "postproc/comfort/sensation.hpp"
+#include "postproc/location_row.hpp"
 #include "postproc/result.hpp"
 
 namespace snug::postproc {
-
-struct LocationRow {
-  std::string name;
-  double area = 0.0;             ///< m2, deformed skin of the location
-  double coverage = 0.0;         ///< 0..1, covered share of that area
-  double mean_pressure = 0.0;    ///< Pa, weighted by covered area, the strips beside the hems left out; 0 without cover
-  double max_pressure = 0.0;     ///< Pa, largest beside the hems (field::largest_inside)
-  std::string pressures_of = "cover";  ///< "cover beside hems" where strips are left out; "hem" where there is nothing but them
-  std::optional<double> rating;  ///< [0, 4]; none without cover, comfort section or curve of that name, and outside the trial's pressures
-  std::string term;              ///< neutral ... extremely uncomfortable; empty without a rating
-  bool significant = true;       ///< false: the trial shows no effect of pressure here, the rating is its mean
-  bool extrapolated = false;     ///< the mean pressure lies outside the trial's range: nobody was asked about it, there is no rating
-  double trial_low = 0.0, trial_high = 0.0;  ///< Pa, that range; 0 and 0: no curve
-  double rating_error = 0.0;     ///< standard error of the rating; NaN when the curve tells no scatter
-  int degrees = 0;               ///< of freedom behind it
-};
 
 /// Where the mean pressure of a location lies among named ranges.
 struct ThresholdRow {
@@ -56,6 +41,13 @@ struct SensorRow {
   double reading() const { return bulge > 0.0 ? skin_pressure + bulge : skin_pressure; }  ///< Pa
 };
 
+/// Ratings and comfort of a state of a movement.
+struct MovementRating {
+  std::vector<LocationRow> locations;
+  std::optional<Comfort> comfort;
+  std::string no_score;
+};
+
 struct Evaluation {
   std::vector<LocationRow> locations;  ///< in the order of the result's locations
   std::optional<Comfort> comfort;      ///< none when no location has a rating, or one presses more than any in the trial
@@ -63,6 +55,7 @@ struct Evaluation {
   std::vector<TargetRow> targets;      ///< in the order of the case
   std::vector<SensorRow> sensors;      ///< likewise
   std::vector<ThresholdRow> thresholds;  ///< of the covered locations that a chosen set speaks of
+  std::vector<MovementRating> movement;  ///< in the order of the result's states
   std::string curves;                    ///< name of the sensation curves; empty without a comfort section
   std::string curves_source;             ///< their citation
 };

@@ -19,6 +19,7 @@ bool has_displacement(const Record& record) { return record.run.body.fields.has(
 bool has_garment(const Record& record) { return record.stored.garment_grid.has_value(); }
 bool has_locations(const Record& record) { return !record.evaluation.locations.empty(); }
 bool has_tool(const Record& record) { return !record.run.tools.empty(); }
+bool has_movement(const Record& record) { return !record.run.movement.empty() && !record.evaluation.movement.empty(); }
 bool has_comfort(const Record& record) { return judges(record.evaluation); }
 
 /// Writes the file whole with what `fill` puts into a stream.
@@ -61,6 +62,9 @@ void history(const Record& record, const Path& file) {
 void tools(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_tools(out, record.run); });
 }
+void movement(const Record& record, const Path& file) {
+  write_text(file, [&](std::ostream& out) { write_movement(out, record.run, record.evaluation); });
+}
 void summary(const Record& record, const Path& file) {
   input::write_file(file, text_of(record.stored.summary));
 }
@@ -82,7 +86,8 @@ const std::vector<Recorder>& recorders() {
       {"stress.lis", has_stress, stresses},     {"locations.csv", has_locations, locations},
       {skin_file, has_skin, skin},
       {comfort_file, has_comfort, comfort},   {history_file, always, history},
-      {"tool.csv", has_tool, tools},           {summary_file, always, summary},
+      {"tool.csv", has_tool, tools},           {"comfort.csv", has_movement, movement},
+      {summary_file, always, summary},
   };
   return list;
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "postproc/fields.hpp"
+#include "postproc/location_row.hpp"
 
 namespace snug::postproc {
 
@@ -198,6 +199,28 @@ struct ToolResult {
   double slope() const;
 };
 
+/// How a bone stands in a state of a movement, against the one that it hangs on.
+struct BoneRow {
+  std::string bone;
+  double turn = 0.0;                                ///< rad
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< m
+};
+
+/// A converged state of the movement through the postures of a case; the first one is the position in which the garment was put on.
+struct MovementState {
+  std::string posture;            ///< that it is on the way to; "dressed"
+  double progress = 0.0;          ///< postures gone through: 0 dressed, 1 the first posture, 1.5 half of the way to the second
+  double share = 1.0;             ///< of the way to the posture
+  std::vector<BoneRow> bones;     ///< those with a joint
+  double contact_area = 0.0;      ///< m2
+  double mean_pressure = 0.0, max_pressure = 0.0;  ///< Pa, over the touched skin; largest beside the hems
+  double contact_force = 0.0, friction_force = 0.0, force_error = 0.0, moment_error = 0.0;  ///< N, N m, as in Balance
+  std::vector<LocationRow> locations = {};
+  int overlapping_facets = 0;     ///< of the skin, that have gone through others
+
+  bool reached() const { return share == 1.0; }
+};
+
 struct Phase {
   std::string name;
   double seconds = 0.0;
@@ -272,6 +295,7 @@ struct RunResult {
   double mean_laplace_pressure = 0.0;     ///< Pa, L0 sanity value over the covered skin
   std::map<std::string, double> numbers;  ///< further named values for expected.toml ("mean_contact_pressure_Pa", ...)
   std::vector<ToolResult> tools;
+  std::vector<MovementState> movement;    ///< empty: the case has no postures
 };
 
 }  // namespace snug::postproc

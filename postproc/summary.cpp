@@ -81,6 +81,55 @@ Json tools_json(const RunResult& run) {
   return json;
 }
 
+Json bones_json(const MovementState& state) {
+  Json json = Json::array();
+  for (const BoneRow& bone : state.bones) {
+    json.push_back({{"name", bone.bone}, {"turn_rad", bone.turn}});
+    if (!bone.shift.isZero(0.0)) json.back()["shift_m"] = vector_json(bone.shift);
+  }
+  return json;
+}
+
+/// Where the movement has come to: "dressed", then the postures; a last one that was not reached with the share of the way.
+Json postures_json(const RunResult& run, const Evaluation& evaluation) {
+  Json json = Json::array();
+  for (std::size_t n = 0; n < run.movement.size(); ++n) {
+    const MovementState& state = run.movement[n];
+    if (!state.reached() && n + 1 < run.movement.size()) continue;
+    Json locations = Json::array();
+    const MovementRating none{state.locations, {}, {}};
+    const MovementRating& rating = n < evaluation.movement.size() ? evaluation.movement[n] : none;
+    for (const LocationRow& row : rating.locations)
+      locations.push_back({{"location", row.name}, {"coverage", row.coverage}, {"mean_pressure_Pa", row.mean_pressure}, {"max_pressure_Pa", row.max_pressure},
+                           {"rating", row.rating ? Json(*row.rating) : Json()}});
+    json.push_back({{"name", state.posture},
+                    {"share", state.share},
+                    {"bones", bones_json(state)},
+                    {"mean_contact_pressure_Pa", state.mean_pressure},
+                    {"max_contact_pressure_Pa", state.max_pressure},
+                    {"contact_area_m2", state.contact_area},
+                    {"contact_force_N", state.contact_force},
+                    {"friction_force_N", state.friction_force},
+                    {"force_error_N", state.force_error},
+                    {"moment_error_Nm", state.moment_error},
+                    {"locations", locations},
+                    {"comfort", rating.comfort ? Json(rating.comfort->score) : Json()}});
+  }
+  return json;
+}
+
+/// All states of the movement, as columns.
+Json movement_json(const RunResult& run) {
+  Json progress = Json::array(), mean = Json::array(), locations = Json::array();
+  for (const MovementState& state : run.movement) progress.push_back(state.progress), mean.push_back(state.mean_pressure);
+  for (std::size_t l = 0; l < run.movement.front().locations.size(); ++l) {
+    Json pressure = Json::array();
+    for (const MovementState& state : run.movement) pressure.push_back(state.locations[l].mean_pressure);
+    locations.push_back({{"location", run.movement.front().locations[l].name}, {"mean_pressure_Pa", pressure}});
+  }
+  return {{"progress", progress}, {"mean_contact_pressure_Pa", mean}, {"locations", locations}};
+}
+
 Json hems_json(const RunResult& run) {
   Json json = Json::array();
   for (const Hem& hem : run.hems)
@@ -280,6 +329,7 @@ Json summary_document(const RunResult& run, const Evaluation& evaluation, const 
   Json json;
   add_outcome(json, run);
   add_evaluation(json, evaluation);
+  if (!run.movement.empty()) json["postures"] = postures_json(run, evaluation), json["movement"] = movement_json(run);
   json["seconds"] = total_seconds(run);
   json["phases"] = phases_json(run.phases);
   json["linear_solver"] = object(run.linear_solver);

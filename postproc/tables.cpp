@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 #include "postproc/units.hpp"
@@ -101,6 +102,30 @@ void write_tools(std::ostream& out, const RunResult& run) {
     for (const ToolRow& row : tool.history)
       fmt::print(out, "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", csv_cell(tool.name), row.travel, row.depth, row.force, row.across, row.area,
                  row.largest_pressure, row.friction_force);
+}
+
+void write_movement(std::ostream& out, const RunResult& run, const Evaluation& evaluation) {
+  out << "posture,progress,share,bones,location,area_m2,coverage,mean_pressure_Pa,max_pressure_Pa,mean_pressure_mmHg,rating,term,comfort\n";
+  for (std::size_t n = 0; n < run.movement.size(); ++n) {
+    const MovementState& state = run.movement[n];
+    const MovementRating& rating = evaluation.movement.at(n);
+    const std::string head = fmt::format("{},{:.6g},{:.6g},{}", csv_cell(state.posture), state.progress, state.share, csv_cell(bones_text(state)));
+    const std::string comfort = rating.comfort ? fmt::format("{:.4f}", rating.comfort->score) : "";
+    fmt::print(out, "{},(touched skin),{:.6g},1,{:.6g},{:.6g},{:.6g},,,{}\n", head, state.contact_area, state.mean_pressure, state.max_pressure, to_mmHg(state.mean_pressure), comfort);
+    for (const LocationRow& row : rating.locations)
+      fmt::print(out, "{},{},{:.6g},{:.4f},{:.6g},{:.6g},{:.6g},{},{},{}\n", head, csv_cell(row.name), row.area, row.coverage, row.mean_pressure, row.max_pressure, to_mmHg(row.mean_pressure),
+                 row.rating ? fmt::format("{:.4f}", *row.rating) : "", row.term, comfort);
+  }
+}
+
+std::string bones_text(const MovementState& state) {
+  std::string text;
+  for (const BoneRow& bone : state.bones) {
+    const Eigen::Vector3d u = 1e3 * bone.shift;
+    text += fmt::format("{}{} {:.4g} deg", text.empty() ? "" : "; ", bone.bone, bone.turn * 180.0 / std::numbers::pi);
+    if (!u.isZero(0.0)) text += fmt::format(" ({:.4g} {:.4g} {:.4g}) mm", u.x(), u.y(), u.z());
+  }
+  return text;
 }
 
 Iteration as_recorded(const Iteration& row) {

@@ -47,6 +47,11 @@ void write_history(std::ostream& out, const RunResult& run);            ///< his
 
 void write_tools(std::ostream& out, const RunResult& run);              ///< tool.csv: one row a converged state of the way of a tool
 
+/// comfort.csv: for each state of a movement a row of all the touched skin and one a location. `evaluation`: of the same run.
+void write_movement(std::ostream& out, const RunResult& run, const Evaluation& evaluation);
+/// "shank 60 deg; thigh 20 deg"
+std::string bones_text(const MovementState& state);
+
 /// `text` in quotes where a comma, quote or line end in it asks for them, and behind an apostrophe where a spreadsheet would
 /// take it for a formula (it begins with = + - @).
 std::string csv_cell(const std::string& text);

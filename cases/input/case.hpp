@@ -13,6 +13,7 @@
 #include "cases/input/garment_spec.hpp"
 #include "cases/input/load_spec.hpp"
 #include "cases/input/material_entry.hpp"
+#include "cases/input/posture_spec.hpp"
 #include "cases/input/reference_spec.hpp"
 #include "cases/input/study_spec.hpp"
 #include "cases/input/tool_spec.hpp"
@@ -128,6 +129,8 @@ struct Case {
   std::optional<ReferenceSpec> reference;
   std::optional<StudySpec> study;
   std::vector<ToolSpec> tools;
+  std::vector<MovingBoneSpec> bones;
+  std::vector<PostureSpec> postures;
 
   template <class Self, class Visitor>
   static void describe(Self& self, Visitor&& field) {
@@ -143,6 +146,8 @@ struct Case {
     field(Field{.key = "load", .meaning = "loads on the body beside a garment"}, self.load);
     field(Field{.key = "support", .meaning = "surfaces of the body that are held or moved"}, self.support);
     field(Field{.key = "tool", .meaning = "a rigid tool that is moved into the body; several as [[tool]]", .one_or_more = true}, self.tools);
+    field(Field{.key = "bone", .meaning = "a rigid part of the body's core that postures move; several as [[bone]]", .one_or_more = true}, self.bones);
+    field(Field{.key = "posture", .meaning = "a position that the body takes when the garment is on; several as [[posture]] are a movement, in their order", .one_or_more = true}, self.postures);
     field(Field{.key = "solver", .meaning = "how much of the body is solved"}, self.solver);
     field(Field{.key = "reference", .meaning = "nodal tables that the result is compared with"}, self.reference);
     field(Field{.key = "study", .meaning = "what snug study compares: meshes, variants, exact answer"}, self.study);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cases/input/garment_checks.hpp"
+#include "cases/input/posture_checks.hpp"
 #include "cases/input/suggestion.hpp"
 #include "cases/input/units.hpp"
 
@@ -199,7 +200,7 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
     diagnostics.error(root.where_is(key), found, remedy);
   };
   const bool body = root.find("body"), garment = root.find("garment");
-  const bool load = root.find("load"), support = root.find("support"), tool = root.find("tool");
+  const bool load = root.find("load"), support = root.find("support"), tool = root.find("tool"), posture = root.find("posture");
   const bool solids = std::any_of(c.contacts.begin(), c.contacts.end(), [&](const auto& contact) { return between_solids(contact, c); });
   if (!body && !garment)
     error("", "the case names neither a body nor a garment", "add [body], and [garment] with [contact]");
@@ -218,8 +219,8 @@ void check_presence(const Case& c, const Table& root, Diagnostics& diagnostics) 
   if (support && !body) error("support", "there is a [[support]] but no [body]", "add [body] or leave it out");
   if (tool && !body) error("tool", "there is a [[tool]] but no [body]", "add [body] or leave it out");
   const Table* imported = root.table("body");  // a file of another program may bring its loads; without, that is said later
-  if (body && !garment && !load && !support && !tool && !(imported && imported->find("mesh")))
-    error("body", "nothing acts on the body", "add [garment] with [contact], [load], a [[support]] that moves, or a [[tool]]");
+  if (body && !garment && !load && !support && !tool && !posture && !(imported && imported->find("mesh")))
+    error("body", "nothing acts on the body", "add [garment] with [contact], [load], a [[support]] that moves, a [[tool]] or a [[posture]]");
 }
 
 /// A garment lies on the skin or on one that is listed before it, whose triangles are quadratic.
@@ -378,6 +379,7 @@ void check_case(const Case& description, const Table& root, Diagnostics& diagnos
   check_loads(description, root, diagnostics);
   check_supports(description, diagnostics);
   check_tools(description, diagnostics);
+  check_postures(description, diagnostics);
   check_tier(description, root, diagnostics);
   check_path(description, root, diagnostics);
   check_reference(description, root, diagnostics);

@@ -13,6 +13,7 @@ std::string_view project_template();
 std::string_view library_template();
 std::string_view library_script();
 std::string_view map_template();  ///< a part of the pages: the unrolled map
+std::string_view lines_template();  ///< a part of the pages: lines over an axis
 std::string_view style();
 std::string_view view_script();
 std::string_view three_script();  ///< three.js with its orbit controls (MIT licence)

@@ -145,7 +145,7 @@ Json view_of(const Runs& runs, const Comparison& comparison) {
 }
 
 std::map<std::string, std::string_view> comparison_parts() {
-  return {{"comparison", comparison_sections()}, {"map_svg", map_template()}};
+  return {{"comparison", comparison_sections()}, {"map_svg", map_template()}, {"lines_svg", lines_template()}};
 }
 
 }  // namespace

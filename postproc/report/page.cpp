@@ -17,6 +17,7 @@ std::string page_of(const ShownRun& run, const Pictures& pictures) {
   view["locations"] = locations_view(run);
   view["has_locations"] = !view["locations"].empty();
   view["comfort"] = comfort_view(run);
+  view["movement"] = movement_view(run);
   view["map"] = knows_pressure(run) ? map_view(run, scale, drawing_width) : nullptr;
   if (view["map"].is_object()) view["map"]["id"] = "map-0";
   view["pieces"] = pieces_view(run, drawing_width);
@@ -28,7 +29,7 @@ std::string page_of(const ShownRun& run, const Pictures& pictures) {
   view["style"] = style();
   view["three"] = view["has_scene"] ? three_script() : "";
   view["script"] = view_script();
-  return fill(page_template(), view, {{"map_svg", map_template()}});
+  return fill(page_template(), view, {{"map_svg", map_template()}, {"lines_svg", lines_template()}});
 }
 
 }  // namespace

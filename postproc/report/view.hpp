@@ -22,6 +22,9 @@ Json sensors_view(const ShownRun& run);
 /// Gauge, memberships and rules; null without comfort.
 Json comfort_view(const ShownRun& run);
 
+/// Postures and pressures over the movement; null without one.
+Json movement_view(const ShownRun& run);
+
 /// The unrolled pressure map with its colour bar, `width` pixels wide; null without a skin.
 Json map_view(const ShownRun& run, const PressureScale& scale, double width);
 

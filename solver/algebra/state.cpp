@@ -3,7 +3,7 @@
 namespace snug::solver {
 
 void each(ByteWriter& writer, const State& state) {
-  writer(state.values), writer(state.load), writer(state.release), writer(state.stiffening), writer(state.yielding);
+  writer(state.values), writer(state.load), writer(state.release), writer(state.stiffening), writer(state.yielding), writer(state.posture);
   writer(static_cast<std::uint64_t>(state.history.list().size()));
   for (const auto& [name, history] : state.history.list()) {
     ByteWriter own;
@@ -13,7 +13,7 @@ void each(ByteWriter& writer, const State& state) {
 }
 
 void each(ByteReader& reader, State& state) {
-  reader(state.values), reader(state.load), reader(state.release), reader(state.stiffening), reader(state.yielding);
+  reader(state.values), reader(state.load), reader(state.release), reader(state.stiffening), reader(state.yielding), reader(state.posture);
   std::uint64_t count = 0;
   reader(count);
   state.history = {};

@@ -71,6 +71,7 @@ struct State {
   double stiffening = 1.0;  ///< factor on the body's own energy while it is released under the garment; 1 at the end
   /// How contact yields: 0 is hard; else a pressure is what the contact's own stiffness over this makes of the gap, as on a mattress.
   double yielding = 0.0;
+  double posture = 0.0;     ///< progress of the movement after dressing (scene/movement.hpp)
   Histories history;
 };
 

@@ -7,6 +7,7 @@
 
 #include "cases/input/suggestion.hpp"
 #include "postproc/summary.hpp"
+#include "postproc/tables.hpp"
 #include "postproc/units.hpp"
 #include "solver/app/print_plan.hpp"
 
@@ -71,6 +72,22 @@ std::string tools_text(const postproc::RunResult& run) {
   for (const postproc::ToolResult& tool : run.tools)
     text += fmt::format("  {:<18} {:.4g} N at {:.4g} mm: {:.4g} N/mm ({:.4g} at the end); {:.4g} cm2, {:.4g} Pa in the mean, at most {:.4g} Pa ({})\n", tool.name, tool.end().force,
                         1e3 * tool.end().depth, 1e-3 * tool.stiffness(), 1e-3 * tool.slope(), 1e4 * tool.end().area, tool.mean_pressure(), tool.end().largest_pressure, tool.shape);
+  return text;
+}
+
+/// A line a posture; of one that was not reached the last state on the way to it.
+std::string postures_text(const postproc::RunResult& run, const postproc::Evaluation& evaluation) {
+  std::string text;
+  for (std::size_t n = 0; n < run.movement.size(); ++n) {
+    const postproc::MovementState& state = run.movement[n];
+    if (!state.reached() && n + 1 < run.movement.size()) continue;
+    text += fmt::format("  posture            {}", state.posture);
+    if (!state.reached()) text += fmt::format(", {:.0f} % of the way", 100.0 * state.share);
+    if (state.progress > 0.0) text += fmt::format(" ({})", postproc::bones_text(state));
+    text += fmt::format(": {:.0f} Pa in the mean, at most {:.0f} Pa, over {:.4g} cm2", state.mean_pressure, state.max_pressure, 1e4 * state.contact_area);
+    if (n < evaluation.movement.size() && evaluation.movement[n].comfort) text += fmt::format("; comfort {:.2f} {}", evaluation.movement[n].comfort->score, evaluation.movement[n].comfort->term);
+    text += state.contact_force > 0.0 ? fmt::format("; |sum of forces| {:.1e} of the contact force\n", state.force_error / state.contact_force) : fmt::format("; |sum of forces| {:.1e} N\n", state.force_error);
+  }
   return text;
 }
 
@@ -220,7 +237,7 @@ std::string final_text(const postproc::RunResult& run, const postproc::Evaluatio
   std::string text = fmt::format("\n{}: {}, {} increments, {} Newton iterations\n", run.title, name_of(run.status),
                                  run.increments, run.iterations);
   text += truth_text(run) + listed("what to try", run.remedies) + warnings_text(run);
-  text += locations_text(evaluation) + sensors_text(evaluation) + tools_text(run) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
+  text += locations_text(evaluation) + sensors_text(evaluation) + tools_text(run) + postures_text(run, evaluation) + hems_text(run) + bands_text(run) + pieces_text(run) + listed("assumed", run.assumptions) + balance_text(run) + sanity_text(run) + donning_text(run) + phases_text(run);
   if (run.peak_memory > 0.0) text += fmt::format("  memory             {}{}\n", memory_text(run.peak_memory), memory_of_ranks(run));
   return text + fmt::format("  files              {}\n", out.string());
 }

@@ -37,6 +37,8 @@ class Checks {
     }
     if (model_.deformable())
       for (const input::ToolSpec& tool : case_.tools) check_tool(tool);
+    if (!model_.deformable() && !case_.postures.empty())
+      say(false, case_.postures.front().where, fmt::format("the postures are left out: tier {} has a rigid skin, which does not bend", input::text_of(case_.solver.tier)), "take tier L4 for them");
     errors_.throw_if_any();
     return std::move(warnings_);
   }

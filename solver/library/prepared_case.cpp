@@ -76,11 +76,11 @@ void find_wearer(const input::Case& description, const std::vector<mesh::Garment
 /// An imported body may bring its loads along; a case without any would only say so after the solve.
 void check_that_something_acts(const input::Case& description, const mesh::BodyMesh& body) {
   const auto moves = [](const auto& held) { return held.displacement != 0.0; };
-  if (!description.garments.empty() || description.load || !description.support.empty() || !body.forces.empty() || !body.pressures.empty() ||
+  if (!description.garments.empty() || description.load || !description.support.empty() || !description.postures.empty() || !body.forces.empty() || !body.pressures.empty() ||
       std::any_of(body.held.begin(), body.held.end(), moves) || std::any_of(body.held_along.begin(), body.held_along.end(), moves))
     return;
   throw input::InputError(description.body->where, "nothing acts on the body",
-                          "add [load] or a [[support]] that moves, or forces in " + description.body->mesh.string());
+                          "add [load], a [[support]] that moves or a [[posture]], or forces in " + description.body->mesh.string());
 }
 
 /// What acts on the skin needs one.

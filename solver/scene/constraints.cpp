@@ -68,6 +68,16 @@ bool turns_freely(const input::GarmentSpec& spec, const mesh::GarmentMesh& garme
   return std::none_of(spec.held.begin(), spec.held.end(), [](const auto& edge) { return edge.held == input::HeldDirection::all; });
 }
 
+// What a garment is held by goes along with the bones under it.
+void carry_garment(const GarmentModel& model, bool rubs, const mesh::GarmentMesh& garment, const Field& position, Supports& supports) {
+  const auto carry = [&](int node) {
+    if (supports.carries(position(node))) supports.carry(position(node));
+  };
+  for (const input::HeldEdge& edge : model.spec.held)
+    for (const int node : garment.edges.at(edge.edge)) carry(node);
+  if (!rubs && turns_freely(model.spec, garment)) carry(turn_pin(garment).node);
+}
+
 void constrain_garment(const GarmentModel& model, bool rubs, const mesh::BodyMesh& body, const mesh::GarmentMesh& garment,
                        const Field& position, ConstraintTable& table) {
   auto held = model.spec.held;
@@ -154,6 +164,13 @@ Layout make_layout(const Model& model, const Meshes& meshes, Skin skin) {
     for (const input::ToolSpec& tool : model.asked.tools)
       add_multipliers(layout, tool_pressures(tool), static_cast<int>(place_tool(meshes.body, tool).surface.node_of_vertex.size()));
   return layout;
+}
+
+Supports carried_supports(const Model& model, const Meshes& meshes, const Layout& layout, std::shared_ptr<const Carrier> carrier) {
+  Supports supports(model, meshes.body, layout, std::move(carrier));
+  for (std::size_t g = 0; g < meshes.garments.size(); ++g)
+    carry_garment(model.garments[g], model.rubs(static_cast<int>(g)), meshes.garments[g], layout[meshes.garments[g].name], supports);
+  return supports;
 }
 
 Numbering make_numbering(const Model& model, const Meshes& meshes, const Layout& layout, const Supports& supports) {

@@ -43,6 +43,9 @@ struct TurnPin {
 };
 TurnPin turn_pin(const mesh::GarmentMesh& garment);
 
+/// The supports of a scene whose bones carry what they hold, the edges of garments included.
+Supports carried_supports(const Model& model, const Meshes& meshes, const Layout& layout, std::shared_ptr<const Carrier> carrier);
+
 /// What the supports prescribe has no unknowns; neither have pressures of layers whose law has none; sewn garment nodes
 /// share their unknowns; held edges keep their place along the skin's meridian, the tangent in the direction of the axis at
 /// the placed foot point, and move freely off the skin and round it (without friction, a garment without any is held at its

@@ -222,7 +222,7 @@ class Guards {
             .remedy = "look where it stands off (contact_pressure in garment.pvd); a smaller size touches more, and a body with hollows is bridged",
             .quantity = "off_skin_share",
             .limit = worth_a_word});
-    if (!meshes_.limb.skin) return;
+    if (!meshes_.limb.skin || !result_.movement.empty()) return;  // these know the limb as it stood when the garment was put on
     look_at_area(off > worth_a_word);
     look_at_laplace();
   }

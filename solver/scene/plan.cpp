@@ -256,6 +256,14 @@ void list_tools(const Model& model, const mesh::BodyMesh& body, Plan& plan) {
   for (std::string& part : tool_parts(model, body)) plan.parts_in.push_back(std::move(part));
 }
 
+// The way through the postures; the mesh says whether there is one.
+void list_postures(const Model& model, const Movement& movement, Plan& plan) {
+  if (model.asked.postures.empty()) return;
+  if (movement.empty()) return plan.parts_out.push_back(fmt::format("postures: tier {} has a rigid skin, which does not bend", input::text_of(model.asked.solver.tier)));
+  for (int k = 1; k <= movement.postures(); ++k)
+    plan.parts_in.push_back(fmt::format("posture: {}, {}, in {} {} at least", movement.name(k), movement.text(k), movement.steps(k), movement.steps(k) == 1 ? "step" : "steps"));
+}
+
 // Building the scene finds loads that nothing bears.
 void list_free_motions(const Model& model, const Meshes& meshes, Plan& plan) {
   const Supports supports(model, meshes.body, make_layout(model, meshes, Skin::deformable));
@@ -308,6 +316,9 @@ void estimate(const Model& model, const Meshes& meshes, double memory, Plan& pla
   plan.memory_bytes = need.memory_beside_disk, plan.disk_bytes = need.disk, plan.seconds *= slower_on_disk;
 }
 
+// Of the time to put the garment on.
+constexpr double share_of_a_step = 0.5;
+
 }  // namespace
 
 Need need_of_run(double rigid, double body) {
@@ -327,10 +338,13 @@ Plan plan(const Model& model, const Meshes& meshes, double memory) {
   list_garments(model, meshes, plan);
   if (model.deformable()) list_loads(model.asked, meshes, plan);
   list_tools(model, meshes.body, plan);
+  const Movement movement(model, meshes.body);
+  list_postures(model, movement, plan);
   if (model.deformable()) list_free_motions(model, meshes, plan);
   if (!model.asked.comfort) plan.parts_out.push_back("comfort: no [comfort] in the case");
   if (model.asked.solver.tier != input::Tier::L0 && !model.falls()) count_unknowns(model, meshes, plan);
   estimate(model, meshes, memory, plan);
+  if (!movement.empty()) plan.seconds *= 1.0 + share_of_a_step * movement.all_steps();
   return plan;
 }
 

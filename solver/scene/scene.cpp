@@ -61,10 +61,20 @@ Scene::Scene(const Layout& layout, Numbering numbering, Supports supports)
     : layout_(layout),
       numbering_(std::move(numbering)),
       supports_(std::move(supports)),
-      proximal_weights_(Eigen::VectorXd::Zero(layout.size())),
-      force_row_(numbering_.unknowns(), 1) {
-  for (int i = layout.positions(); i < layout.size(); ++i)
+      proximal_weights_(Eigen::VectorXd::Zero(layout.size())) {
+  mark_force_rows();
+}
+
+void Scene::mark_force_rows() {
+  force_row_.assign(numbering_.unknowns(), 1);
+  for (int i = layout_.positions(); i < layout_.size(); ++i)
     if (const int unknown = numbering_.unknown(i); unknown >= 0) force_row_[unknown] = 0;
+}
+
+void Scene::hold(Supports supports, Numbering numbering) {
+  supports_ = std::move(supports), numbering_ = std::move(numbering);
+  mark_force_rows();
+  drop_matrix();
 }
 
 void Scene::own(std::unique_ptr<Term> term) {
@@ -133,7 +143,7 @@ void Scene::update(State& state) {
 }
 
 State Scene::transfer(const State& from, const Layout& layout, State placed) const {
-  placed.load = from.load, placed.release = from.release;
+  placed.load = from.load, placed.release = from.release, placed.posture = from.posture;
   for (const Field& to : layout_.fields())
     if (const Field& source = layout[to.name]; source.size() == to.size())
       placed.values.segment(to.first, to.size()) = from.values.segment(source.first, source.size());
@@ -268,7 +278,7 @@ double Scene::energy(const State& state) const {
 Measure Scene::measure(const State& state) const {
   Measure measure;
   for (const auto& term : terms_) term->measure(state, measure);
-  if (supports_.move()) {  // the supports' forces are the load
+  if (supports_.move() || (supports_.carry() && measure.contact_force == 0.0)) {  // the supports' forces are the load
     const Eigen::VectorXd residual = full_residual(state);
     for (const int entry : supports_.table().prescribed_entries()) measure.contact_force += std::abs(residual[entry]);
   }

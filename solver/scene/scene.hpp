@@ -42,6 +42,9 @@ class Scene {
  public:
   Scene(const Layout& layout, Numbering numbering, Supports supports = {});
 
+  /// Holds its parts anew: other entries have unknowns from now on. States stay what they are, the pattern is built anew.
+  void hold(Supports supports, Numbering numbering);
+
   /// Returns the term.
   template <class T>
   T& add(std::unique_ptr<T> term) {
@@ -126,6 +129,7 @@ class Scene {
 
  private:
   void own(std::unique_ptr<Term> term);
+  void mark_force_rows();
   bool pattern_is_of(const State& state) const;
   void rebuild(const State& state);
   double force_norm(const Eigen::VectorXd& rows) const;

@@ -42,12 +42,13 @@ Eigen::Vector3d plane_normal(const mesh::Surface& surface, const mesh::BodyMesh&
 
 }  // namespace
 
-Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout) : body_(layout["body"]), table_(layout.size()) {
+Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout, std::shared_ptr<const Carrier> carrier)
+    : body_(layout["body"]), carrier_(std::move(carrier)), table_(layout.size()) {
   const input::Case& description = model.asked;
   if (body_.count == 0 || !description.body) return;
   hold_limb(*description.body, description.support, body);
   hold(body.held, description.body->where, body);
-  hold_along(body.held_along, description.body->where);
+  hold_along(body.held_along, description.body->where, body);
   for (const auto& spec : description.support) hold(spec, body);
   resolve_lines(body);
   if (!held_by_garment(model)) hold_free_motions(body);
@@ -56,7 +57,22 @@ Supports::Supports(const Model& model, const mesh::BodyMesh& body, const Layout&
 
 void Supports::prescribe(int node, int component, int holder, const Motion& motion, const mesh::BodyMesh& body) {
   const int number = body.node_numbers.empty() ? node + 1 : body.node_numbers[node];
-  table_.prescribe(body_(node, component), holder, component, motion, body.nodes[node], number);
+  if (!carries(body_(node))) return table_.prescribe(body_(node, component), holder, component, motion, body.nodes[node], number);
+  carried_.insert(body_(node));
+  for (int c = 0; c < 3; ++c) table_.prescribe(body_(node, c), holder, c, {}, body.nodes[node], number);
+}
+
+void Supports::carry(int first) {
+  carried_.insert(first);
+  for (int c = 0; c < 3; ++c) table_.fix(first + c);
+}
+
+Eigen::VectorXd Supports::gap(const State& state) const {
+  Eigen::VectorXd gap = table_.gap(state.values, state.load);
+  if (carried_.empty()) return gap;
+  if (gap.size() == 0) gap = Eigen::VectorXd::Zero(state.values.size());
+  for (const int first : carried_) gap.segment<3>(first) = carrier_->place(first, state.posture) - state.values.segment<3>(first);
+  return gap;
 }
 
 void Supports::hold_limb(const input::BodySpec& spec, const std::vector<input::SupportSpec>& supports, const mesh::BodyMesh& body) {
@@ -97,15 +113,17 @@ void Supports::slide(const std::string& name, const mesh::Surface& cut, const st
   const int holder = table_.add({"cut \"" + name + "\""});
   for (const int node : cut.nodes) {
     if (bone_.contains(node)) continue;
-    if (along_axis) prescribe(node, across, holder, {}, body);
+    if (along_axis || carries(body_(node))) prescribe(node, across, holder, {}, body);
     else lines_[node].push_back({holder, normal, 0.0});
   }
 }
 
-void Supports::hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where) {
+void Supports::hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where, const mesh::BodyMesh& body) {
   if (held.empty()) return;
   const int holder = table_.add({"supports of the file", where});
-  for (const mesh::HeldAlong& one : held) lines_[one.node].push_back({holder, one.direction, one.displacement});
+  for (const mesh::HeldAlong& one : held)
+    if (carries(body_(one.node))) prescribe(one.node, 0, holder, {}, body);
+    else lines_[one.node].push_back({holder, one.direction, one.displacement});
 }
 
 void Supports::move(const input::ToolSpec& tool, const Field& tip, const mesh::BodyMesh& body) {

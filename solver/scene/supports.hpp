@@ -12,6 +12,7 @@
 #include "solver/algebra/state.hpp"
 #include "solver/scene/constraint_table.hpp"
 #include "solver/scene/model.hpp"
+#include "solver/scene/movement.hpp"
 #include "solver/scene/rigid_motions.hpp"
 
 namespace snug::solver {
@@ -25,16 +26,25 @@ const mesh::Surface& named_surface(const mesh::BodyMesh& body, const std::string
 /// the constructor throws input::InputError (constraint_table.hpp). Parts of the body that these leave free to move as a whole are
 /// held, too ("free motions of the body"), by as many components as it takes: `check_balance` says whether nothing has to be borne
 /// there.
+/// Where bones move, all that is held beyond a joint, cuts, supports and held edges of garments alike, goes along from where it stood when the movement began, in all directions; what is held
+/// before the joints stays held as it was.
 class Supports {
  public:
   Supports() = default;
-  Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout);
+  Supports(const Model& model, const mesh::BodyMesh& body, const Layout& layout, std::shared_ptr<const Carrier> carrier = {});
 
   /// What is prescribed and by whom; the garments' rows come on top of it (constraints.hpp).
   const ConstraintTable& table() const { return table_; }
   bool move() const { return table_.moves(); }
-  /// From the state to its place at state.load, one value an entry of the state; empty where nothing moves.
-  Eigen::VectorXd gap(const State& state) const { return table_.gap(state.values, state.load); }
+  /// Bones carry what they hold.
+  bool carry() const { return carrier_ != nullptr; }
+  const Carrier* carrier() const { return carrier_.get(); }
+  /// The node with that x entry goes along with a bone where it is held at all.
+  bool carries(int first) const { return carrier_ && carrier_->moves(first); }
+  /// Holds a node of a garment that goes along.
+  void carry(int first);
+  /// From the state to its place at state.load and state.posture, one value an entry of the state; empty where nothing moves.
+  Eigen::VectorXd gap(const State& state) const;
   /// The parts that only such supports keep from moving.
   const std::vector<FreePart>& free_parts() const { return free_; }
   /// What holds nodes along lines of their own: cuts in tilted planes, oblique supports of the file. The residual of such a node (its x entry), but for
@@ -53,12 +63,14 @@ class Supports {
   void slide(const std::string& name, const mesh::Surface& cut, const std::function<bool(const std::string&, int)>& said, const mesh::BodyMesh& body);
   void hold(const std::vector<mesh::HeldComponent>& held, const input::Location& where, const mesh::BodyMesh& body);
   void hold(const input::SupportSpec& spec, const mesh::BodyMesh& body);
-  void hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where);
+  void hold_along(const std::vector<mesh::HeldAlong>& held, const input::Location& where, const mesh::BodyMesh& body);
   void move(const input::ToolSpec& tool, const Field& tip, const mesh::BodyMesh& body);
   void resolve_lines(const mesh::BodyMesh& body);
   void hold_free_motions(const mesh::BodyMesh& body);
 
   Field body_;
+  std::shared_ptr<const Carrier> carrier_;
+  std::set<int> carried_;  ///< x entries of nodes
   std::set<int> bone_;  ///< nodes
   ConstraintTable table_{0};
   std::vector<FreePart> free_;

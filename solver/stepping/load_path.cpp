@@ -29,13 +29,17 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
 // Of contact that yields, where it begins to harden. Half of the way on it is a third as stiff as the cloth of one vertex.
 constexpr double softest = 3.0;
 
+void keep_non_negative(const Layout& layout, Eigen::VectorXd& values) {
+  for (const Field& field : layout.fields())
+    if (field.non_negative) values.segment(field.first, field.size()) = values.segment(field.first, field.size()).cwiseMax(0.0);
+}
+
 // Straight extrapolation of the last increment, but for one on which contact has yielded; pressures stay non-negative.
 State predict(const PathRecord& at, double step, const Layout& layout) {
   State guess = at.state;
   if (at.span <= 0.0 || at.state.yielding > 0.0) return guess;
   guess.values += std::min(step / at.span, 2.0) * (at.state.values - at.before);
-  for (const Field& field : layout.fields())
-    if (field.non_negative) guess.values.segment(field.first, field.size()) = guess.values.segment(field.first, field.size()).cwiseMax(0.0);
+  keep_non_negative(layout, guess.values);
   return guess;
 }
 
@@ -56,7 +60,7 @@ class Walk {
   PathResult follow() {
     while (!at_.ended) {
       const double t = std::min(1.0, at_.reached + at_.step);
-      State trial = failures_ == 0 ? predict(at_, t - at_.reached, scene_.layout()) : at_.state;
+      State trial = settings_.carry ? carried(t) : failures_ == 0 ? predict(at_, t - at_.reached, scene_.layout()) : at_.state;
       homotopy_(trial, t);
       const Outcome outcome = increment(trial, t);
       if (outcome == Outcome::stopped) return stop();
@@ -74,6 +78,25 @@ class Walk {
     scene_.update(at_.state);
   }
 
+
+  /// Where everything goes along: what the last increment has changed besides is extrapolated, and what is prescribed stands where it should.
+  State carried(double t) const {
+    State to = at_.state, guess = at_.state;
+    homotopy_(to, t);
+    if (failures_ == 0 && at_.span > 0.0) {
+      State before = at_.state;
+      homotopy_(before, at_.reached - at_.span);
+      before.values = at_.before;
+      settings_.carry(before, at_.state);
+      guess.values += std::min((t - at_.reached) / at_.span, 2.0) * (at_.state.values - before.values);
+      keep_non_negative(scene_.layout(), guess.values);
+    }
+    settings_.carry(guess, to);
+    if (const Eigen::VectorXd gap = scene_.supports().gap(to); gap.size() > 0)
+      for (Eigen::Index i = 0; i < gap.size(); ++i)
+        if (gap[i] != 0.0) guess.values[i] = to.values[i] + gap[i];
+    return guess;
+  }
 
   Outcome increment(State& trial, double t) {
     const bool last = t > 1.0 - 1e-12 && !settings_.leads_on;
@@ -158,6 +181,10 @@ Homotopy letting_go() {
 
 Homotopy fading() {
   return [](State& state, double t) { state.release = std::pow(100.0, t); };
+}
+
+Homotopy posing(int k) {
+  return [=](State& state, double t) { state.posture = t < 1.0 ? k - 1 + t : k; };
 }
 
 Homotopy without_friction() {

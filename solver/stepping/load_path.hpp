@@ -22,6 +22,8 @@ struct PathSettings {
   double longest_step = 1.0;
   NewtonSettings newton;        ///< of the final increment
   std::function<void(const Scene&, const State&, double t)> accepted;  ///< called with every converged state; may be empty
+  /// Brings a state's positions along to the place on the path that the other state has; may be empty. Predictions begin from what it makes of the last state.
+  std::function<void(State& state, const State& to)> carry;
   Journal* journal = nullptr;   ///< keeps the path and knows what of it has been walked before; may be null
 };
 
@@ -38,6 +40,8 @@ Homotopy releasing(double factor);
 Homotopy letting_go();
 /// The coefficient of friction falls a hundredfold.
 Homotopy fading();
+/// The bones go from posture k - 1 to posture k.
+Homotopy posing(int k);
 /// Nothing changes but that friction is gone: the state is brought to full load.
 Homotopy without_friction();
 

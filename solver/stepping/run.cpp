@@ -14,6 +14,8 @@
 #include "solver/scene/laplace.hpp"
 #include "solver/scene/layers.hpp"
 #include "solver/scene/loads.hpp"
+#include "solver/scene/movement.hpp"
+#include "solver/scene/movement_result.hpp"
 #include "solver/scene/result.hpp"
 #include "solver/scene/tools.hpp"
 #include "solver/stepping/arc_length.hpp"
@@ -28,6 +30,8 @@ namespace {
 
 /// Iterations of increments that failed, over a whole run: some five times what a good scene takes in all.
 constexpr int most_lost = 60;
+/// The same of the way to a posture, whose steps may become short where cloth slips and folds open.
+constexpr int most_lost_in_a_posture = 150;
 /// The same of a way that another one stands in for where it fails, and its halvings in a row.
 constexpr int most_lost_before_another_way = 30, failures_before_another_way = 2;
 
@@ -39,7 +43,7 @@ class Run {
  public:
   Run(const Model& model, const Meshes& meshes, const Observer& observer, const KeptStates& kept, const Stop& stop, Journal* journal, double memory)
       : model_(model), worn_(model.has_friction() ? model : model.with_friction(usual_friction)), meshes_(meshes), kept_(kept), stop_(stop),
-        journal_(journal), memory_(memory), log_(result_, observer) {
+        journal_(journal), memory_(memory), movement_(model, meshes.body), log_(result_, observer) {
     const Plan parts = plan(model, meshes, memory);
     result_.title = model.asked.title;
     result_.tier = parts.tier;
@@ -53,7 +57,9 @@ class Run {
     if (model_.falls()) return falling();
     assume();
     if (!model_.garments.empty()) laplace();
-    const std::vector<Way> ways = ways_of(model_, worn_, meshes_, kept_.steps > 0);
+    std::vector<Way> ways = ways_of(model_, worn_, meshes_, kept_.steps > 0);
+    if (!movement_.empty())
+      for (Way& way : ways) add_postures(movement_, way);
     if (ways.empty()) finish_laplace();
     for (std::size_t w = 0; w < ways.size(); ++w)
       if (walk(ways[w], w + 1 < ways.size())) break;
@@ -110,9 +116,10 @@ class Run {
     result_.message.clear();  // of a way before this one
     for (const Stage& stage : way.stages) {
       Standing at = enter(stage, before, way, trail);
-      const PathResult path = follow(stage, at, trail, another);
+      const bool elsewhere = another && stage.posture == 0;
+      const PathResult path = follow(stage, at, trail, elsewhere);
       at.state = path.state;
-      if (!accept(stage, *at.scene, path)) return (another && !stopped()) ? false : stop_at(stage, at, path, trail);
+      if (!accept(stage, *at.scene, path)) return (elsewhere && !stopped()) ? false : stop_at(stage, at, path, trail);
       trail.push_back(std::move(at));
       before = &stage;
       const std::string objection = stage.objection ? stage.objection(trail.back()) : std::string();
@@ -133,7 +140,10 @@ class Run {
 
   /// A stage starts where the one before has ended, on the same scene where both solve the same.
   Standing enter(const Stage& stage, const Stage* before, const Way& way, const Trail& trail) {
-    if (before && before->model == stage.model && before->skin == stage.skin) return trail.back();
+    if (before && before->model == stage.model && before->skin == stage.skin) {
+      if (stage.posture == 1) begin_movement(*stage.model, trail.back());
+      return trail.back();
+    }
     if (before) trail.back().scene->drop_matrix();  // the next one needs the memory
     Standing at{std::make_shared<Scene>(scene_of(*stage.model, stage.skin)), {}};
     log_.phase("set-up");
@@ -147,9 +157,20 @@ class Run {
     return at;
   }
 
+  /// From here on bones carry what they hold. The dressed state is the first one of the movement.
+  void begin_movement(const Model& model, const Standing& dressed) {
+    Scene& scene = *dressed.scene;
+    carrier_ = std::make_shared<Carrier>(movement_, meshes_, scene.layout(), dressed.state);
+    Supports supports = carried_supports(model, meshes_, scene.layout(), carrier_);
+    Numbering numbering = make_numbering(model, meshes_, scene.layout(), supports);
+    scene.hold(std::move(supports), std::move(numbering));
+    scene.may_take(memory_);
+    note_posture(scene, dressed.state, 0, 1.0);
+  }
+
   /// The first attempt that comes to its end, or the last one. `another`: another way stands in for this one.
   PathResult follow(const Stage& stage, const Standing& from, const Trail& trail, bool another) {
-    const PathSettings settings = settings_of(stage, another);
+    const PathSettings settings = stage.posture > 0 ? settings_of_posture(stage) : settings_of(stage, another);
     const std::vector<Attempt> attempts = stage.attempts(trail);
     std::optional<PathResult> hard;  // states on which the skin has yielded are on no way that is reported
     for (std::size_t n = 0;; ++n) {
@@ -178,6 +199,17 @@ class Run {
     if (!another) return path;
     path.failures = std::min(path.failures, failures_before_another_way);
     path.lost_iterations = std::min(path.lost_iterations, most_lost_before_another_way);
+    return path;
+  }
+
+  /// Each state on the way is an answer. It begins anew where a run goes on: all its states are results.
+  PathSettings settings_of_posture(const Stage& stage) {
+    PathSettings path = settings_of(stage, false);
+    path.exact = true, path.journal = nullptr;
+    path.lost_iterations = most_lost_in_a_posture;
+    path.longest_step = 1.0 / movement_.steps(stage.posture);
+    path.carry = [this](State& state, const State& to) { carrier_->carry(state, to.posture); };
+    path.accepted = [this, posture = stage.posture](const Scene& scene, const State& state, double t) { note_posture(scene, state, posture, t); };
     return path;
   }
 
@@ -218,13 +250,23 @@ class Run {
 
   /// Hands a state of the load path to who wants to see it.
   void keep(const Scene& scene, const State& state, double way) const {
-    if (kept_.steps == 0) return;
+    if (kept_.steps > 0) kept_.keep(way, shot_of(scene, state));
+  }
+
+  postproc::RunResult shot_of(const Scene& scene, const State& state) const {
     postproc::RunResult shot;
     shot.body = body_result(meshes_.body, model_.deformable());
     State seen = state;
     scene.look(seen);
     fill_result(scene, seen, model_, meshes_, shot);
-    kept_.keep(way, shot);
+    return shot;
+  }
+
+  /// A state of the movement is a row of the result, and a picture of its film.
+  void note_posture(const Scene& scene, const State& state, int posture, double share) {
+    const postproc::RunResult shot = shot_of(scene, state);
+    result_.movement.push_back(movement_state(movement_, posture, share, shot, meshes_.body.mean_skin_cell));
+    if (kept_.keep && !(posture == 0 && kept_.steps > 0)) kept_.keep(posture == 0 ? stages_ : stages_ + share, shot);  // the end of dressing is kept already
   }
 
   /// Books what a stage has spent and where it has come to. True: to its end.
@@ -295,6 +337,7 @@ class Run {
   void look_back() {
     note_memory();
     if (!result_.garment.triangles.empty()) guard(model_, meshes_, result_), log_.phase("results");
+    look_at_movement(result_);
     result_.remedies = what_to_try(model_, meshes_, result_);
   }
 
@@ -317,6 +360,8 @@ class Run {
   const Stop& stop_;
   Journal* journal_;  ///< may be null
   double memory_;     ///< bytes that the run may take; 0: no bound
+  const Movement movement_;
+  std::shared_ptr<const Carrier> carrier_;  ///< since the movement has begun
   int stages_ = 0;
   std::vector<std::vector<postproc::ToolRow>> tool_way_;  ///< a list a tool
   int lost_ = 0;      ///< iterations of increments that failed so far

@@ -151,6 +151,18 @@ Way placed_and_let_go(const Model& model, const Model& worn, const Meshes& meshe
 
 }  // namespace
 
+void add_postures(const Movement& movement, Way& way) {
+  const Stage last = way.stages.back();
+  for (int k = 1; k <= movement.postures(); ++k) {
+    const std::string name = fmt::format("posture \"{}\"", movement.name(k));
+    const auto tell = [&movement](const Trail&, const Standing& reported, postproc::RunResult& result) {
+      result.message += fmt::format("; what is reported stands at {}", movement.text(reported.state.posture));
+    };
+    way.stages.push_back({.name = name, .model = last.model, .skin = last.skin, .attempts = once({.rows = name, .change = posing(k)}),
+                          .residual = last.model->has_friction() ? rubbing_residual : last.residual, .tell = tell, .posture = k});
+  }
+}
+
 std::vector<Way> ways_of(const Model& model, const Model& worn, const Meshes& meshes, bool every_step) {
   if (model.asked.solver.tier == input::Tier::L0) return {};
   if (model.has_friction()) return {placed_and_let_go(model, worn, meshes, every_step)};

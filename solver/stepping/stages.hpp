@@ -54,6 +54,7 @@ struct Stage {
   std::function<std::string(const Standing& end)> objection = {};
   /// What is told of a stage that stopped on its way, beside where: `reported` is what the fallback says. May be no function.
   std::function<void(const Trail&, const Standing& reported, postproc::RunResult&)> tell = {};
+  int posture = 0;                                 ///< that it moves the body to, counted from 1; 0: the garment is put on
   bool spreads = false;                            ///< other ways of putting on start where this stage ends
 };
 
@@ -66,5 +67,8 @@ struct Way {
 /// Empty: tier L0, there is nothing to solve. The stages point to `model` and `worn`, the same with the friction that holds
 /// garments on the way; `every_step`: states on the way are wanted.
 std::vector<Way> ways_of(const Model& model, const Model& worn, const Meshes& meshes, bool every_step);
+
+/// Goes on from the end of a way through the postures of the case, a stage each, on the scene that the way ends with. `movement` outlives the way.
+void add_postures(const Movement& movement, Way& way);
 
 }  // namespace snug::solver

@@ -41,6 +41,7 @@ struct ContactHistory : public History {
   std::vector<double> reference;         ///< Pa, p^0 of contact that yields, since the last `renew`
   std::vector<double> facing_area;       ///< the part of A_i that faces the master, m2
   std::shared_ptr<const ElementEntries> entries;
+  MasterStack::Trees trees;              ///< of the master, as it was at the last `renew`; not stored: a stored state begins a path, which renews it
 };
 
 /// Multipliers p_i (Pa per rest area of the slave) stand on the slave's vertices. With points q of rest weight w_q,

@@ -74,10 +74,11 @@ void Contact::renew(State& state) const {
   for (int i = 0; i < vertices(); ++i) history.reference[i] = std::max(0.0, multiplier(state, i));
   const ContactSlave& slave = interface_.slave;
   const std::vector<MasterNodes> nodes = master_nodes(master(), state);
+  history.trees = master().trees(state);
   tbb::parallel_for(0, triangles(), [&](int e) {
     Element& element = history.elements[e];
     const TriangleNodes x = positions(state, e);
-    element.points = cut_by_stack(master(), nodes, state, x, slave.order, fallback_parts_);
+    element.points = cut_by_stack(master(), nodes, state, x, slave.order, fallback_parts_, history.trees);
     for (ContactPoint& point : element.points) point.weight *= slave.area_ratio(e, point.L);
     if (const auto line = slave.lines.find(e); line != slave.lines.end())
       for (const auto& [L, weight] : line->second) element.points.push_back({L, weight, garment_values(slave.order, L), {}, 1});
@@ -87,7 +88,7 @@ void Contact::renew(State& state) const {
 void Contact::locate(const State& state, ContactHistory& history) const {
   tbb::parallel_for(0, triangles(), [&](int e) {
     const TriangleNodes x = positions(state, e);
-    for (ContactPoint& point : history.elements[e].points) point.site = master().follow(state, x * point.N, point.site);
+    for (ContactPoint& point : history.elements[e].points) point.site = master().follow(state, x * point.N, point.site, history.trees);
   });
   if (!master().deformable()) return;
   bool changed = false;

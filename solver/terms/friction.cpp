@@ -20,6 +20,21 @@ int column_of(const std::vector<int>& master_nodes, int node) {
   return 18 + 3 * static_cast<int>(it - master_nodes.begin());
 }
 
+// The rotation that takes a triangle (a corner a column, m) nearest to another one: that of the polar decomposition of the map between them and their normals.
+Eigen::Matrix3d turn_between(const Eigen::Matrix3d& before, const Eigen::Matrix3d& now) {
+  const auto sides = [](const Eigen::Matrix3d& x) {
+    Eigen::Matrix3d s;
+    s << x.col(1) - x.col(0), x.col(2) - x.col(0), Eigen::Vector3d::Zero();
+    const Eigen::Vector3d normal = s.col(0).cross(s.col(1));
+    s.col(2) = std::sqrt(normal.norm()) * normal.normalized();  // as long as the sides
+    return s;
+  };
+  const Eigen::Matrix3d from = sides(before), to = sides(now);
+  if (!(std::abs(from.determinant()) > 0.0)) return Eigen::Matrix3d::Identity();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(to * from.inverse(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
 }  // namespace
 
 struct Friction::Slot {
@@ -114,7 +129,7 @@ void Friction::update(State& state) const {
 void Friction::follow_slip(const State& state, const FrictionHistory& history, const std::vector<FrictionHistory::Element>* before,
                            std::vector<FrictionHistory::Element>& now) const {
   tbb::parallel_for(0, contact_.triangles(), [&](int e) {
-    const Eigen::VectorXd d = change(state, history, e);
+    const Change d = change(state, history, e);
     for (int v = 0; v < 3; ++v) {
       Corner& corner = now[e][v];
       if (corner.area <= 0.0) continue;
@@ -124,18 +139,35 @@ void Friction::follow_slip(const State& state, const FrictionHistory& history, c
   });
 }
 
-Eigen::VectorXd Friction::change(const State& state, const FrictionHistory& history, int triangle) const {
+Friction::Change Friction::change(const State& state, const FrictionHistory& history, int triangle) const {
   const auto entries = contact_.entries(state).of(triangle);
-  Eigen::VectorXd change(entries.size() - 3);
-  for (Eigen::Index i = 0; i < change.size(); ++i) change[i] = state.values[entries[i]] - history.anchor[entries[i]];
+  Change change{.by = Eigen::VectorXd(entries.size() - 3), .turn = {}};
+  const Eigen::Index positions = change.by.size();
+  for (Eigen::Index i = 0; i < positions; ++i) change.by[i] = state.values[entries[i]] - history.anchor[entries[i]];
+  if (state.posture == 0.0) return change;
+  const auto corners = [&](const Eigen::VectorXd& values) {
+    Eigen::Matrix3d x;
+    for (int i = 0; i < 9; ++i) x(i % 3, i / 3) = values[entries[i]];
+    return x;
+  };
+  const Eigen::Matrix3d before = corners(history.anchor), now = corners(state.values);
+  change.turn = turn_between(before, now);
+  const Eigen::Vector3d middle = before.rowwise().mean(), middle_now = now.rowwise().mean();
+  for (Eigen::Index i = 0; i < positions; i += 3) {
+    Eigen::Vector3d anchor;
+    for (int c = 0; c < 3; ++c) anchor[c] = history.anchor[entries[i + c]];
+    const Eigen::Vector3d gone_along = middle_now + *change.turn * (anchor - middle);
+    for (int c = 0; c < 3; ++c) change.by[i + c] = state.values[entries[i + c]] - gone_along[c];
+  }
   return change;
 }
 
-Friction::Return Friction::traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int v) {
+Friction::Return Friction::traction(const FrictionHistory& history, const Change& change, int triangle, int v) {
   const Corner& corner = (*history.frames)[triangle][v];
+  Eigen::Vector3d before = history.traction.segment<3>(9 * triangle + 3 * v);
+  if (change.turn) before = *change.turn * before;
   Return r;
-  r.trial = transported(history.traction.segment<3>(9 * triangle + 3 * v), corner.normal) +
-            history.stiffness / corner.area * (corner.slip * change);
+  r.trial = transported(before, corner.normal) + history.stiffness / corner.area * (corner.slip * change.by);
   const Bounded held = bounded(r.trial, corner.bound);
   r.traction = held.traction, r.slips = held.slips;
   return r;
@@ -145,7 +177,7 @@ double Friction::energy(const State& state) const {
   const FrictionHistory& now = history(state);
   double sum = 0.0;
   for (int e = 0; e < contact_.triangles() && now.stiffness > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, now, e);
+    const Change d = change(state, now, e);
     for (int v = 0; v < 3; ++v) {
       const Corner& corner = (*now.frames)[e][v];
       if (corner.area <= 0.0) continue;
@@ -160,8 +192,8 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
   if (now.stiffness == 0.0) return true;
   std::vector<Slot> slots(64);
   const auto compute = [&](int e, Slot& slot) {
-    const Eigen::VectorXd d = change(state, now, e);
-    const Eigen::Index columns = d.size(), n = columns + 3;
+    const Change d = change(state, now, e);
+    const Eigen::Index columns = d.by.size(), n = columns + 3;
     slot.residual.setZero(n);
     if (wanted(tangent)) slot.matrix.setZero(n, n);
     for (int v = 0; v < 3; ++v) {
@@ -187,7 +219,7 @@ void Friction::commit(State& state) const {
   FrictionHistory& now = edit(state);
   Eigen::VectorXd tractions = Eigen::VectorXd::Zero(9 * contact_.triangles());
   for (int e = 0; e < contact_.triangles() && now.frames && now.stiffness > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, now, e);
+    const Change d = change(state, now, e);
     for (int v = 0; v < 3; ++v)
       if ((*now.frames)[e][v].area > 0.0) tractions.segment<3>(9 * e + 3 * v) = traction(now, d, e, v).traction;
   }
@@ -224,7 +256,7 @@ std::vector<Friction::PointForce> Friction::point_forces(const State& state) con
   std::vector<PointForce> forces;
   std::vector<Contact::Meeting> points;
   for (int e = 0; e < contact_.triangles() && now.stiffness > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, now, e);
+    const Change d = change(state, now, e);
     Eigen::Matrix3d t = Eigen::Matrix3d::Zero();
     for (int v = 0; v < 3; ++v)
       if ((*now.frames)[e][v].area > 0.0) t.col(v) = traction(now, d, e, v).traction;
@@ -242,7 +274,7 @@ std::vector<Friction::VertexTraction> Friction::vertex_tractions(const State& st
   std::vector<VertexTraction> vertices(contact_.vertices());
   std::vector<double> area(vertices.size(), 0.0), slipping(vertices.size(), 0.0);
   for (int e = 0; e < contact_.triangles() && now.stiffness > 0.0; ++e) {
-    const Eigen::VectorXd d = change(state, now, e);
+    const Change d = change(state, now, e);
     for (int v = 0; v < 3; ++v) {
       const Corner& corner = (*now.frames)[e][v];
       if (corner.area <= 0.0) continue;

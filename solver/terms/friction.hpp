@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -101,8 +102,14 @@ class Friction : public Term {
   /// Which corners slip, and which of them against the way of the iterate before (may be null).
   void follow_slip(const State& state, const FrictionHistory& history, const std::vector<FrictionHistory::Element>* before,
                    std::vector<FrictionHistory::Element>& now) const;
-  Eigen::VectorXd change(const State& state, const FrictionHistory& history, int triangle) const;
-  static Return traction(const FrictionHistory& history, const Eigen::VectorXd& change, int triangle, int corner);
+  /// What a triangle's entries have changed by (m) since the accepted state. While the body moves (State::posture) that is counted from where the accepted state would be if it had turned
+  /// with the triangle, and its tractions turn along: a rigid motion, however far, neither slips nor turns a traction against the cloth.
+  struct Change {
+    Eigen::VectorXd by;
+    std::optional<Eigen::Matrix3d> turn;
+  };
+  Change change(const State& state, const FrictionHistory& history, int triangle) const;
+  static Return traction(const FrictionHistory& history, const Change& change, int triangle, int corner);
 
   std::string name_;
   const Contact& contact_;

@@ -85,26 +85,34 @@ Site MasterStack::shifted(int surface, Site site) const {
   return site;
 }
 
-Site MasterStack::find(const State& state, const Eigen::Vector3d& x) const {
+MasterStack::Trees MasterStack::trees(const State& state) const {
+  if (state.posture == 0.0) return {};
+  std::vector<fem::BoxTree> trees;
+  for (const MasterSurface& surface : surfaces_) trees.push_back(surface.tree(state));
+  return std::make_shared<const std::vector<fem::BoxTree>>(std::move(trees));
+}
+
+Site MasterStack::find(const State& state, const Eigen::Vector3d& x, const Trees& trees) const {
+  const auto tree = [&](int s) { return trees ? &(*trees)[s] : nullptr; };
   const int lowest = surfaces() - 1;
-  const Site ground = surfaces_[lowest].find(state, x);
+  const Site ground = surfaces_[lowest].find(state, x, tree(lowest));
   if (lowest == 0) return ground;
   const double depth = distance(surfaces_[lowest], state, x, ground).length;
   for (int s = 0; s < lowest; ++s) {
-    const Site site = surfaces_[s].find(state, x);
+    const Site site = surfaces_[s].find(state, x, tree(s));
     const auto [length, gap] = distance(surfaces_[s], state, x, site);
     if (site.facet >= 0 && length <= depth + (gap < 0.0 ? got_through : unlike_meshes) * surfaces_[s].mean_edge()) return shifted(s, site);
   }
   return shifted(lowest, ground);
 }
 
-Site MasterStack::follow(const State& state, const Eigen::Vector3d& x, const Site& last) const {
+Site MasterStack::follow(const State& state, const Eigen::Vector3d& x, const Site& last, const Trees& trees) const {
   if (last.facet >= 0) {
     const int s = surface_of(last.facet);
-    const Site site = surfaces_[s].follow(state, x, {last.facet - first_facet_[s], last.xi});
+    const Site site = surfaces_[s].follow(state, x, {last.facet - first_facet_[s], last.xi}, trees ? &(*trees)[s] : nullptr);
     if (site.facet >= 0 || surfaces() == 1) return shifted(s, site);
   }
-  return find(state, x);
+  return find(state, x, trees);
 }
 
 }  // namespace snug::solver

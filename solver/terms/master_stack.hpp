@@ -1,6 +1,7 @@
 // What a slave may meet: surfaces that lie over one another, a garment and the skin under it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "solver/terms/master_surface.hpp"
@@ -39,11 +40,14 @@ class MasterStack {
   const std::vector<int>& neighbours(int facet) const { return neighbours_[facet]; }
   FacetNodes positions(const State& state, int facet) const;
 
+  /// Boxes of the surfaces as they are; null where bones have moved nothing, and the reference serves.
+  using Trees = std::shared_ptr<const std::vector<fem::BoxTree>>;
+  Trees trees(const State& state) const;
   /// The first surface that x faces.
-  Site find(const State& state, const Eigen::Vector3d& x) const;
+  Site find(const State& state, const Eigen::Vector3d& x, const Trees& trees = {}) const;
   /// Follows x over its surface as long as it faces it, else looks for it anew. A point changes over to another surface where
   /// its triangle is cut again.
-  Site follow(const State& state, const Eigen::Vector3d& x, const Site& last) const;
+  Site follow(const State& state, const Eigen::Vector3d& x, const Site& last, const Trees& trees = {}) const;
 
  private:
   void number_through();

@@ -50,6 +50,15 @@ std::vector<Eigen::AlignedBox3d> MasterSurface::boxes() const {
   return boxes;
 }
 
+fem::BoxTree MasterSurface::tree(const State& state) const {
+  std::vector<Eigen::AlignedBox3d> boxes(facets_.size());
+  for (int f = 0; f < facets(); ++f) {
+    const FacetNodes nodes = positions(state, f);
+    for (int a = 0; a < 9 && facets_[f][a] >= 0; ++a) boxes[f].extend(Eigen::Vector3d(nodes.col(a)));
+  }
+  return fem::BoxTree(boxes);
+}
+
 void MasterSurface::connect() {
   std::map<std::pair<int, int>, std::pair<int, int>> open;  // corner pair -> facet, edge
   const int edges = static_cast<int>(domain_->edges.size());
@@ -115,18 +124,18 @@ Site MasterSurface::nearest_of(const State& state, const Eigen::Vector3d& x, std
   return *best;
 }
 
-Site MasterSurface::follow(const State& state, const Eigen::Vector3d& x, const Site& last) const {
+Site MasterSurface::follow(const State& state, const Eigen::Vector3d& x, const Site& last, const fem::BoxTree* tree) const {
   if (last.facet >= 0) {
     Site site = last;
     if (settle(state, x, hysteresis, site)) return site;
   }
-  return find(state, x);
+  return find(state, x, tree);
 }
 
-Site MasterSurface::find(const State& state, const Eigen::Vector3d& x) const {
+Site MasterSurface::find(const State& state, const Eigen::Vector3d& x, const fem::BoxTree* tree) const {
   Site best;
   double least = std::numeric_limits<double>::max();
-  for (const int facet : tree_.nearest(x, 6)) {
+  for (const int facet : (tree ? *tree : tree_).nearest(x, 6)) {
     Site site{facet, domain_->centre};
     if (!settle(state, x, 0.0, site)) continue;
     const double d = distance(state, x, site);

@@ -42,10 +42,12 @@ class MasterSurface {
   /// Neighbour across each edge of the domain; -1 on the border.
   const std::vector<int>& neighbours(int facet) const { return neighbours_[facet]; }
 
-  /// Global search for the facet nearest to x: a tree of bounding boxes of the reference surface, then projection.
-  Site find(const State& state, const Eigen::Vector3d& x) const;
+  /// Global search for the facet nearest to x: a tree of bounding boxes, then projection. Without a `tree` the boxes are those of the reference surface.
+  Site find(const State& state, const Eigen::Vector3d& x, const fem::BoxTree* tree = nullptr) const;
   /// Follows x from the last site over neighbouring facets; falls back on `find`.
-  Site follow(const State& state, const Eigen::Vector3d& x, const Site& last) const;
+  Site follow(const State& state, const Eigen::Vector3d& x, const Site& last, const fem::BoxTree* tree = nullptr) const;
+  /// Boxes of the surface as it is: where bones have moved it far from its reference.
+  fem::BoxTree tree(const State& state) const;
 
  private:
   MasterSurface(const Field& positions, mesh::FacetKind kind, std::vector<mesh::FacetNodeNumbers> facets,

@@ -30,17 +30,17 @@ std::vector<MasterNodes> master_nodes(const MasterStack& master, const State& st
 }
 
 std::vector<ContactPoint> cut_by_stack(const MasterStack& master, const std::vector<MasterNodes>& nodes, const State& state,
-                                       const TriangleNodes& triangle, int order, int parts) {
+                                       const TriangleNodes& triangle, int order, int parts, const MasterStack::Trees& trees) {
   const auto at = probes(triangle, order);
   const int lowest = master.surfaces() - 1;
   int surface = lowest;
   Site site;
   if (lowest == 0) {
-    site = master.find(state, at[0]);
+    site = master.find(state, at[0], trees);
   } else {
     std::array<int, 4> of{};
     for (int k = 0; k < 4; ++k) {
-      const Site found = master.find(state, at[k]);
+      const Site found = master.find(state, at[k], trees);
       of[k] = found.facet < 0 ? lowest : master.surface_of(found.facet);
       if (k == 0) site = found;
     }

@@ -13,6 +13,6 @@ std::vector<MasterNodes> master_nodes(const MasterStack& master, const State& st
 /// runs through has the points of a fixed rule, each of which meets what it faces (facets unknown: the caller looks for
 /// them), and so has one that cannot be cut: `parts` squared seven-point rules. Sites are those of the stack.
 std::vector<ContactPoint> cut_by_stack(const MasterStack& master, const std::vector<MasterNodes>& nodes, const State& state,
-                                       const TriangleNodes& triangle, int order, int parts);
+                                       const TriangleNodes& triangle, int order, int parts, const MasterStack::Trees& trees = {});
 
 }  // namespace snug::solver
