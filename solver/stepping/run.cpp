@@ -35,6 +35,9 @@ constexpr int most_lost_in_a_posture = 150;
 /// The same of a way that another one stands in for where it fails, and its halvings in a row.
 constexpr int most_lost_before_another_way = 30, failures_before_another_way = 2;
 
+/// Of states of a movement: what is left of them adds up over its steps, and the pressures of a rigid motion keep to 1e-9.
+constexpr double posture_residual = 1e-11;
+
 /// Fractions of the tightening from which friction acts in the rows that show the spread.
 constexpr std::array<double, 2> spread = {0.5, 0.1};
 
@@ -141,8 +144,7 @@ class Run {
   /// A stage starts where the one before has ended, on the same scene where both solve the same.
   Standing enter(const Stage& stage, const Stage* before, const Way& way, const Trail& trail) {
     if (before && before->model == stage.model && before->skin == stage.skin) {
-      if (stage.posture == 1) begin_movement(*stage.model, trail.back());
-      return trail.back();
+      return stage.posture == 1 ? begin_movement(stage, trail.back()) : trail.back();
     }
     if (before) trail.back().scene->drop_matrix();  // the next one needs the memory
     Standing at{std::make_shared<Scene>(scene_of(*stage.model, stage.skin)), {}};
@@ -157,15 +159,21 @@ class Run {
     return at;
   }
 
-  /// From here on bones carry what they hold. The dressed state is the first one of the movement.
-  void begin_movement(const Model& model, const Standing& dressed) {
+  /// From here on bones carry what they hold. The dressed state is the first one of the movement: solved once more as all others of it are, as its contact was cut a little beside its answer.
+  Standing begin_movement(const Stage& first, const Standing& dressed) {
     Scene& scene = *dressed.scene;
     carrier_ = std::make_shared<Carrier>(movement_, meshes_, scene.layout(), dressed.state);
-    Supports supports = carried_supports(model, meshes_, scene.layout(), carrier_);
-    Numbering numbering = make_numbering(model, meshes_, scene.layout(), supports);
+    Supports supports = carried_supports(*first.model, meshes_, scene.layout(), carrier_);
+    Numbering numbering = make_numbering(*first.model, meshes_, scene.layout(), supports);
     scene.hold(std::move(supports), std::move(numbering));
     scene.may_take(memory_);
-    note_posture(scene, dressed.state, 0, 1.0);
+    PathSettings settings = settings_of_posture(first);
+    settings.accepted = nullptr, settings.longest_step = 1.0, settings.failures = 0;
+    const PathResult settled = follow_path(scene, dressed.state, [](State&, double) {}, settings, log_.sink("dressed"));
+    log_.end_path(scene, settled.increments, "dressed");
+    Standing at{dressed.scene, settled.complete ? settled.state : dressed.state};
+    note_posture(scene, at.state, 0, 1.0);
+    return at;
   }
 
   /// The first attempt that comes to its end, or the last one. `another`: another way stands in for this one.
@@ -206,6 +214,7 @@ class Run {
   PathSettings settings_of_posture(const Stage& stage) {
     PathSettings path = settings_of(stage, false);
     path.exact = true, path.journal = nullptr;
+    path.newton.residual = posture_residual;
     path.lost_iterations = most_lost_in_a_posture;
     path.longest_step = 1.0 / movement_.steps(stage.posture);
     path.carry = [this](State& state, const State& to) { carrier_->carry(state, to.posture); };

@@ -159,7 +159,7 @@ void add_postures(const Movement& movement, Way& way) {
       result.message += fmt::format("; what is reported stands at {}", movement.text(reported.state.posture));
     };
     way.stages.push_back({.name = name, .model = last.model, .skin = last.skin, .attempts = once({.rows = name, .change = posing(k)}),
-                          .residual = last.model->has_friction() ? rubbing_residual : last.residual, .tell = tell, .posture = k});
+                          .tell = tell, .posture = k});
   }
 }
 
