@@ -49,13 +49,17 @@ TEST_F(PostureCase, ComesInSi) {
   const Case c = read(limb + shank + bent + "steps = 4\n[[posture]]\nname = \"out\"\nmove = [{ bone = \"shank\", turn = \"-0.5 rad\", shift = [\"1 in\", \"0 mm\", \"0 mm\"] }]\n[[posture]]\nname = \"straight\"\n");
   ASSERT_EQ(c.bones.size(), 1u);
   const JointSpec& joint = *c.bones[0].joint;
-  EXPECT_NEAR(joint.point[1], 0.005, 1e-15), EXPECT_NEAR(joint.point[2], 0.17, 1e-15), EXPECT_NEAR(*joint.blend, 0.06, 1e-15);
+  EXPECT_NEAR(joint.point[1], 0.005, 1e-15);
+  EXPECT_NEAR(joint.point[2], 0.17, 1e-15);
+  EXPECT_NEAR(*joint.blend, 0.06, 1e-15);
   EXPECT_EQ((*joint.axis)[0], -1.0);
   ASSERT_EQ(c.postures.size(), 3u);
   EXPECT_NEAR(c.postures[0].move[0].turn, std::numbers::pi / 3.0, 1e-12);
   EXPECT_EQ(c.postures[0].steps, 4);
-  EXPECT_NEAR(c.postures[1].move[0].shift[0], 0.0254, 1e-15), EXPECT_EQ(c.postures[1].move[0].turn, -0.5);
-  EXPECT_TRUE(c.postures[2].move.empty()), EXPECT_FALSE(c.postures[2].steps);
+  EXPECT_NEAR(c.postures[1].move[0].shift[0], 0.0254, 1e-15);
+  EXPECT_EQ(c.postures[1].move[0].turn, -0.5);
+  EXPECT_TRUE(c.postures[2].move.empty());
+  EXPECT_FALSE(c.postures[2].steps);
   const Case again = read(to_toml(to_table(c, directory_)));
   EXPECT_EQ(again.postures.size(), 3u);
   EXPECT_EQ(again.postures[1].move[0].turn, -0.5);
@@ -66,7 +70,8 @@ TEST_F(PostureCase, ComesInSi) {
 // A case without postures has nothing of them in its echo.
 TEST_F(PostureCase, WhatIsNotNamedIsNotThere) {
   const std::string text = echo_text(read(limb + "[load]\nskin_pressure = \"1 kPa\"\n"));
-  EXPECT_EQ(text.find("posture"), std::string::npos), EXPECT_EQ(text.find("joint"), std::string::npos);
+  EXPECT_EQ(text.find("posture"), std::string::npos);
+  EXPECT_EQ(text.find("joint"), std::string::npos);
 }
 
 // Each slip is told: an unknown bone (with the one that is meant), a turn without a unit or beyond a full one, no steps, a bone without a joint, a joint without a side, names twice, nothing moved,

@@ -64,7 +64,9 @@ TEST(Skeleton, CarriesWhatLiesBeyondTheJointAsOne) {
     }
     EXPECT_LE((skeleton.unplaced(to, shares, pose) - x).norm(), 1e-15);
   }
-  EXPECT_GT(whole, 100), EXPECT_GT(none, 100), EXPECT_GT(between, 50);
+  EXPECT_GT(whole, 100);
+  EXPECT_GT(none, 100);
+  EXPECT_GT(between, 50);
 }
 
 // The share goes over with a continuous slope: it is the derivative of the share, to the fourth of the error at half the step, and vanishes at both ends.
