@@ -119,8 +119,8 @@ TEST(Postures, ThereAndBackWithoutFrictionIsNoWay) {
   const double most = largest(pressures(before));
   fmt::print("there and back without friction: pressures differ by {:.1e} of {:.0f} Pa, places by {:.1e} m, {} iterations\n", difference(pressures(before), pressures(after)), most,
              farthest(before, after), answer.result.iterations);
-  EXPECT_LE(difference(pressures(before), pressures(after)), 1e-6 * most);
-  EXPECT_LE(farthest(before, after), 1e-8);
+  EXPECT_LE(farthest(before, after), 1e-6 * 0.02);  // the solver's tolerance of gaps: 1e-6 of the sleeve's edge
+  EXPECT_LE(difference(pressures(before), pressures(after)), 2e-5 * most);  // which the tissue, 3 G / h = 1 MPa/m, answers with 0.02 Pa
   expect_balance(answer.result);
   EXPECT_GE(answer.result.movement.size(), 5u);
 }
