@@ -35,8 +35,8 @@ constexpr int most_lost_in_a_posture = 150;
 /// The same of a way that another one stands in for where it fails, and its halvings in a row.
 constexpr int most_lost_before_another_way = 30, failures_before_another_way = 2;
 
-/// Of states of a movement: what is left of them adds up over its steps, and the pressures of a rigid motion keep to 1e-9.
-constexpr double posture_residual = 1e-11;
+/// Of the state that a movement begins with: a rigid motion of it needs no iteration, and its pressures keep to 1e-9.
+constexpr double settled_residual = 1e-11;
 
 /// Fractions of the tightening from which friction acts in the rows that show the spread.
 constexpr std::array<double, 2> spread = {0.5, 0.1};
@@ -169,6 +169,7 @@ class Run {
     scene.may_take(memory_);
     PathSettings settings = settings_of_posture(first);
     settings.accepted = nullptr, settings.longest_step = 1.0, settings.failures = 0;
+    settings.newton.residual = settled_residual;
     const PathResult settled = follow_path(scene, dressed.state, [](State&, double) {}, settings, log_.sink("dressed"));
     log_.end_path(scene, settled.increments, "dressed");
     Standing at{dressed.scene, settled.complete ? settled.state : dressed.state};
@@ -214,7 +215,6 @@ class Run {
   PathSettings settings_of_posture(const Stage& stage) {
     PathSettings path = settings_of(stage, false);
     path.exact = true, path.journal = nullptr;
-    path.newton.residual = posture_residual;
     path.lost_iterations = most_lost_in_a_posture;
     path.longest_step = 1.0 / movement_.steps(stage.posture);
     path.carry = [this](State& state, const State& to) { carrier_->carry(state, to.posture); };
