@@ -36,7 +36,7 @@ constexpr int most_lost_in_a_posture = 150;
 constexpr int most_lost_before_another_way = 30, failures_before_another_way = 2;
 
 /// Of the state that a movement begins with: a rigid motion of it needs no iteration, and its pressures keep to 1e-9.
-constexpr double settled_residual = 1e-11;
+constexpr double settled_residual = 1e-12;
 
 /// Fractions of the tightening from which friction acts in the rows that show the spread.
 constexpr std::array<double, 2> spread = {0.5, 0.1};
