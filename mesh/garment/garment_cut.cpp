@@ -30,8 +30,10 @@ double coarse_cell(const GarmentCut& cut) {
   return std::sqrt(size.area / 2500.0);
 }
 
-/// Cells that a garment is placed on: as fine as those that it is solved on mostly are, since folds between coarse ones remain.
+/// Cells that a garment is placed on: as fine as those that it is solved on mostly are, since folds between coarse ones remain. Of a tube, which has
+/// no seams that pieces would be drawn together by, coarse ones show the shape, and particles shorten it less.
 double placing_cell(const GarmentCut& cut) {
+  if (!cut.pattern) return coarse_cell(cut);
   const CutSize size = size_of(cut);
   return std::sqrt(size.area / 9000.0);
 }

@@ -69,7 +69,7 @@ TEST_F(Program, AJointThatDoesNotFitTheBodyIsRefused) {
   const Outcome outside = snug("check mine --set bone.joint.point.2=\"1700 mm\"");
   EXPECT_EQ(outside.status, 2);
   EXPECT_THAT(outside.text, HasSubstr("the joint of \"shank\" at (0, 0, 1700) mm lies outside the body"));
-  const Outcome folded = snug("check mine --set bone.joint.blend=\"20 mm\"");
+  const Outcome folded = snug("check mine --set bone.joint.blend=\"6 mm\"");
   EXPECT_EQ(folded.status, 2);
   EXPECT_THAT(folded.text, HasSubstr("the core would fold at the joint of \"shank\""));
   EXPECT_THAT(folded.text, HasSubstr("joint.blend = \""));

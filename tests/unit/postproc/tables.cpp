@@ -207,6 +207,7 @@ TEST(Recorders, AFullSceneLeavesEveryFileAndNothingHalfWritten) {
   const auto out = fresh_folder("full");
   RunResult run = run_scene();
   run.tools = {{.name = "probe", .surface = "skin", .shape = "ball of radius 5 mm", .history = {{.travel = 2e-3, .depth = 1e-3, .force = 0.5}, {.travel = 4e-3, .depth = 3e-3, .force = 2.5}}}};
+  run.movement = {{.posture = "dressed", .bones = {{"shank", 0.0, {}}}, .contact_area = 0.02, .mean_pressure = 900.0, .max_pressure = 1200.0}};
   write_results(run, evaluate(run, trial()), out,
                 {.versions = {{"snug", "0.1.0"}}, .input_hashes = {}, .mesh_quality = {}});
   for (const Recorder& recorder : recorders())
