@@ -147,10 +147,10 @@ Patch in_polygon(const LocationSpec& spec, const Skin& skin) {
 /// Sectors count round the middle of the skin's section at the node's height: of the whole body's largest one, or of the limb that is named.
 Patch in_sector(const LocationSpec& spec, const BodyMesh& mesh) {
   const SectionCentres centres = spec.limb ? SectionCentres(mesh, vector(*spec.limb)) : SectionCentres(mesh);
-  return {{}, [spec, centres](const Eigen::Vector3d& x, const Eigen::Vector3d&) {
+  return {{}, [one = std::vector{spec}, centres](const Eigen::Vector3d& x, const Eigen::Vector3d&) {
             if (!centres.holds(x)) return false;
             const Eigen::Vector2d arm = x.head<2>() - centres.at(x.z());
-            return location_of({spec}, std::atan2(arm.y(), arm.x()), x.z()) == 0;
+            return location_of(one, std::atan2(arm.y(), arm.x()), x.z()) == 0;
           }};
 }
 
