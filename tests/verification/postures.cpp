@@ -109,11 +109,15 @@ TEST(Postures, ARigidMotionLeavesPressuresUnchanged) {
   }
 }
 
+Moved::Answer bent_and_straightened(double friction, double angle) {
+  Moved moved(friction);
+  moved.posture("bent", angle), moved.posture("straight", 0.0);
+  return moved.solve();
+}
+
 // Bent by 20 degrees and straightened, a sleeve without friction lies as it lay: nothing remembers the way.
 TEST(Postures, ThereAndBackWithoutFrictionIsNoWay) {
-  Moved moved(0.0);
-  moved.posture("bent", 20 * deg), moved.posture("straight", 0.0);
-  const Moved::Answer answer = moved.solve();
+  const Moved::Answer answer = bent_and_straightened(0.0, 20 * deg);
   ASSERT_EQ(answer.result.status, postproc::Status::converged) << answer.result.message;
   const postproc::RunResult &before = answer.states.front(), &after = answer.states.back();
   const double most = largest(pressures(before));
@@ -127,9 +131,7 @@ TEST(Postures, ThereAndBackWithoutFrictionIsNoWay) {
 
 // With friction the sleeve stays where the bend has put it: the way there and back shows.
 TEST(Postures, ThereAndBackWithFrictionShowsHysteresis) {
-  Moved moved(0.5);
-  moved.posture("bent", 40 * deg), moved.posture("straight", 0.0);
-  const Moved::Answer answer = moved.solve();
+  const Moved::Answer answer = bent_and_straightened(0.5, 40 * deg);
   ASSERT_EQ(answer.result.status, postproc::Status::converged) << answer.result.message;
   const postproc::RunResult &before = answer.states.front(), &after = answer.states.back();
   const double most = largest(pressures(before));
