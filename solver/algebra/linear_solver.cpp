@@ -90,8 +90,8 @@ class Product {
     if (ranks() > 1) gather_what_rows_name();
     return shell_;
   }
-  /// The same pattern with other values.
-  void renew(const OwnRows& rows) { rows_ = rows; }
+  /// The same pattern with other values, and what is added to it: D of all unknowns and a part that is not scaled, or null.
+  void renew(const OwnRows& rows, const Eigen::VectorXd& scale, const OneWay* one_way) { rows_ = rows, scale_ = &scale, one_way_ = one_way; }
   void clear() {
     VecScatterDestroy(&gather_);
     VecDestroy(&all_);
@@ -132,12 +132,27 @@ class Product {
     VecGetArrayRead(from, &given);
     VecGetArray(product, &made);
     multiply(p.rows_, given, made);
-    VecRestoreArray(product, &made);
     VecRestoreArrayRead(from, &given);
+    if (p.one_way_) p.add_one_way(x, made);
+    VecRestoreArray(product, &made);
     return 0;
   }
 
+  void add_one_way(Vec x, PetscScalar* made) const {
+    const int first = rows_.pattern.first, end = first + rows_.pattern.count;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(rows_.pattern.unknowns), sum = all;
+    const PetscScalar* mine = nullptr;
+    VecGetArrayRead(x, &mine);
+    for (int i = first; i < end; ++i) all[i] = (*scale_)[i] * mine[i - first];
+    VecRestoreArrayRead(x, &mine);
+    gather_ranges(all, first, end);
+    (*one_way_)(all, sum);
+    for (int i = first; i < end; ++i) made[i - first] += (*scale_)[i] * sum[i];
+  }
+
   OwnRows rows_;
+  const Eigen::VectorXd* scale_ = nullptr;
+  const OneWay* one_way_ = nullptr;
   Mat shell_ = nullptr;
   Vec all_ = nullptr;
   VecScatter gather_ = nullptr;
@@ -289,7 +304,7 @@ void LinearSolver::reset(SparseScatter& scatter, int unknowns, bool symmetric) {
 }
 
 LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x,
-                                 const Lag& lag) {
+                                 const Lag& lag, const OneWay& one_way) {
   Petsc& p = *petsc_;
   if (lag.precise) {
     p.precise = true;
@@ -299,7 +314,7 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
   if (!lagged) p.rescale(scatter);
   scatter.scale(p.scale);
   p.rows = scatter.own_rows();
-  p.product.renew(p.rows);
+  p.product.renew(p.rows, p.scale, one_way ? &one_way : nullptr);
   p.put(right);
   LinearReport report;
   double start = now();
@@ -307,23 +322,29 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
     const double before = start;
     return (start = now()) - before;
   };
-  const bool near = p.symmetric || p.whole;  // what is factored is what is solved
+  const bool near = (p.symmetric || p.whole) && !one_way;  // what is factored is what is solved
   if (lagged) report.ok = p.iterate({lag.tolerance, good_enough, near ? most_iterations(p.unknowns) : most_unsymmetric, true}, report.iterations);
   report.solve_seconds = lap();
   const auto refactor = [&] {
     report.refactored = true;
     const bool factored = p.renew_factor();
     report.factor_seconds += lap();
-    const double goal = p.kind == FactorKind::double_precision ? exact : std::max(exact, lag.tolerance);
+    const double goal = p.kind == FactorKind::double_precision && !one_way ? exact : std::max(exact, lag.tolerance);
     report.ok = factored && p.iterate({goal, std::max(goal, nearly_exact), near ? fresh_iterations : most_unsymmetric}, report.iterations);
     p.factored = report.ok;
     report.solve_seconds += lap();
   };
   if (!report.ok) refactor();
+  if (!report.ok && one_way && p.inverse) {  // without it
+    p.product.renew(p.rows, p.scale, nullptr);
+    report.ok = p.iterate({std::max(exact, lag.tolerance), nearly_exact, fresh_iterations}, report.iterations);
+    p.factored = report.ok;
+  }
   while (!report.ok && p.step_up()) refactor();
   report.negative_pivots = p.negative_pivots;
   report.single_precision = p.kind != FactorKind::double_precision;
   report.factor = p.inverse->description();
+  p.product.renew(p.rows, p.scale, nullptr);
   p.get(x);
   report.ok = report.ok && x.allFinite();
   return report;

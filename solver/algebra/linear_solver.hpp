@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -19,6 +20,9 @@ struct Lag {
   double tolerance = 1e-10;  ///< |residual| / |right| in the scaled norm at which a solve with the last factor is done
   bool precise = false;      ///< a factor in double precision, now and from here on: where the count of its negative pivots decides
 };
+
+/// What a matrix has beside what is factored of it: adds its product with `x` to `sum`, both over all unknowns.
+using OneWay = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& sum)>;
 
 /// What a solve did.
 struct LinearReport {
@@ -52,7 +56,8 @@ class LinearSolver {
   /// Solves matrix * x = right (both over all unknowns; the result is known on every rank). Where a lag is allowed,
   /// the last factor preconditions FGMRES; when that takes too long the matrix is factored anew. The values of the
   /// scatter are scaled in place: assemble again before the next solve.
-  LinearReport solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x, const Lag& lag = {});
+  /// `one_way` (may be empty) is a part of the matrix that only FGMRES sees; where that does not get there, what it found without it is returned.
+  LinearReport solve(SparseScatter& scatter, const Eigen::VectorXd& right, Eigen::VectorXd& x, const Lag& lag = {}, const OneWay& one_way = {});
 
   /// Another right side with the matrix of the last solve and its factor.
   bool solve_again(const Eigen::VectorXd& right, Eigen::VectorXd& x);

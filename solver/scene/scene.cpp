@@ -188,7 +188,25 @@ Eigen::VectorXd Scene::load_forces(const State& state) const {
   return -sum;
 }
 
-LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step) {
+OneWay Scene::one_way(const State& state) const {
+  std::vector<Eigen::Triplet<double>> parts;
+  for (const auto& term : terms_) term->add_one_way(state, parts);
+  if (parts.empty()) return {};
+  Eigen::SparseMatrix<double, Eigen::RowMajor> derivative(layout_.size(), layout_.size());
+  derivative.setFromTriplets(parts.begin(), parts.end());
+  return [this, derivative = std::move(derivative)](const Eigen::VectorXd& x, Eigen::VectorXd& sum) {
+    Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout_.size());
+    for (int i = 0; i < layout_.size(); ++i)
+      if (const int unknown = numbering_.unknown(i); unknown >= 0) direction[i] = x[unknown];
+    numbering_.spread(direction);
+    Eigen::VectorXd forces = derivative * direction;
+    numbering_.fold(forces);
+    for (int i = 0; i < layout_.size(); ++i)
+      if (const int unknown = numbering_.unknown(i); unknown >= 0) sum[unknown] += forces[i];
+  };
+}
+
+LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step, bool whole) {
   const int first = scatter_.first_row();
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns());
   right.segment(first, scatter_.rows()) = -(scatter_.residual() + scatter_.condensed());
@@ -214,7 +232,7 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
         diagonal[row] += to.weight * to.weight * proximal * proximal_weights_[entry];
   scatter_.add_diagonal(diagonal);
   Eigen::VectorXd x;
-  const LinearReport report = solver_.solve(scatter_, right, x, lag);
+  const LinearReport report = solver_.solve(scatter_, right, x, lag, whole ? one_way(state) : OneWay{});
   if (report.refactored) of_minimum_ = report.ok && tangent == Tangent::full && report.negative_pivots <= saddle_rows();
   costs_.factorisation += report.factor_seconds, costs_.solution += report.solve_seconds;
   costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;

@@ -90,7 +90,8 @@ class Scene {
   /// Solves tangent * step = -residual with `proximal` times the garment's proximal weights added to the diagonal;
   /// `step` has an entry for every state entry. Prescribed entries take the step to their place at state.load, and the
   /// others answer to it.
-  LinearReport solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step);
+  /// `whole`: with what stands in no matrix, too (Term::add_one_way).
+  LinearReport solve(const State& state, Tangent tangent, double proximal, const Lag& lag, Eigen::VectorXd& step, bool whole = false);
   /// The last factor was one of a full tangent without more negative pivots than its saddle rows.
   bool factor_is_of_minimum() const { return of_minimum_; }
   /// After `solve` at the state: the step that other forces (one value an entry) ask for, with the same matrix.
@@ -133,6 +134,7 @@ class Scene {
   bool pattern_is_of(const State& state) const;
   void rebuild(const State& state);
   double force_norm(const Eigen::VectorXd& rows) const;
+  OneWay one_way(const State& state) const;
 
   Layout layout_;
   Numbering numbering_;

@@ -84,6 +84,8 @@ constexpr double on_the_way = 1e-6;
 constexpr double long_solve = 1e-5;
 // Reduction of the residual by a step of Newton's method that converges quadratically.
 constexpr double fast = 0.1;
+// Reduction by a step of an iteration that is let go on for as long as it does.
+constexpr double comes_to_rest = 0.5;
 
 // How exactly a step is worth solving for: the square of what the last step brought, with a factor of safety (Eisenstat &
 // Walker, SIAM J. Sci. Comput. 17 (1996), choice 2: gamma = 0.3, alpha = 2), which keeps quadratic convergence and spends
@@ -106,7 +108,7 @@ LinearReport descent(Scene& scene, const State& state, const NewtonSettings& set
   const Tangent tangent = residual > settings.convex_above ? Tangent::convex : Tangent::full;
   full = tangent == Tangent::full;
   if (tangent == Tangent::convex) scene.assemble(state, tangent);
-  LinearReport report = scene.solve(state, tangent, proximal, lag, step);
+  LinearReport report = scene.solve(state, tangent, proximal, lag, step, full && residual < near);
   const bool indefinite = report.ok && report.negative_pivots > scene.saddle_rows();
   if (!indefinite || !full) return report;
   full = false;
@@ -212,7 +214,8 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (settings.stop && settings.stop()) return Outcome::stopped;
     if (patience.lost(now, iteration, downhill && !constrained && row.step >= long_stride)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
-    if (iteration >= most) return Outcome::too_many_iterations;
+    const bool comes = now.measure.changed == 0 && now.condensed < comes_to_rest * condensed_before;
+    if (iteration >= most && !comes) return Outcome::too_many_iterations;
     const bool settled = now.measure.changed <= now.measure.active / few_vertices && now.condensed < 0.9 * condensed_before &&
                          (scene.factor_is_of_minimum() || convex_factor);
     const double reduction = now.condensed / condensed_before;

@@ -15,6 +15,9 @@ int parts(double slave_edge, double skin_cell) {
   return std::clamp(static_cast<int>(std::ceil(4.0 * slave_edge / skin_cell - 0.25)), 1, 8);
 }
 
+// Over the slave's mean edge: a third of the penetration that an answer may have.
+constexpr double slack_gap = 3e-7;
+
 }  // namespace
 
 Contact::Contact(std::string name, Interface interface, double stiffness, GapBasis basis)
@@ -90,7 +93,7 @@ void Contact::decide(const State& state, ContactHistory& history) const {
     const double trial = multiplier(state, i) - stiffness_ * history.weighted_gap[i] / rest_area(i);
     trials[i] = faces(history, i) ? trial : -std::abs(trial);
   }
-  history.active.follow(trials);
+  history.active.follow(trials, stiffness_ * slack_gap * interface_.slave.mean_edge);
 }
 
 void Contact::yield(State& state, ContactHistory& history) const {

@@ -119,7 +119,7 @@ static void each(Archive& with, S& element) {
 template <class Archive, class S>
   requires std::is_same_v<std::remove_const_t<S>, ActiveSet::Memory>
 static void each(Archive& with, S& memory) {
-  with(memory.flags), with(memory.changed), with(memory.fewest_wrong), with(memory.waited);
+  with(memory.flags), with(memory.changed), with(memory.fewest_wrong), with(memory.waited), with(memory.circled), with(memory.turns);
 }
 
 void ContactHistory::write(ByteWriter& writer) const {

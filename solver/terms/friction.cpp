@@ -215,6 +215,30 @@ bool Friction::assemble(const State& state, Tangent tangent, Sink& sink) const {
   });
 }
 
+// A corner that slips bears t = b t* / |t*| with the bound b = mu p / release: dt = mu / release t* / |t*| dp, which its slip takes to the
+// positions. The whole of the linearised law is not symmetric (Wriggers, sec. 9.4).
+void Friction::add_one_way(const State& state, std::vector<Eigen::Triplet<double>>& derivative) const {
+  const FrictionHistory& now = history(state);
+  if (state.release == 0.0 || now.stiffness == 0.0) return;
+  const auto& active = contact_.active(state);
+  for (int e = 0; e < contact_.triangles(); ++e) {
+    const auto entries = contact_.entries(state).of(e);
+    const auto multipliers = entries.last(3);
+    std::optional<Change> d;
+    for (int v = 0; v < 3; ++v) {
+      const Corner& corner = (*now.frames)[e][v];
+      const int vertex = contact_.vertices_of(e)[v];
+      if (corner.area <= 0.0 || !active[vertex] || contact_.multiplier(state, vertex) <= 0.0) continue;
+      if (!d) d = change(state, now, e);
+      const Return r = traction(now, *d, e, v);
+      if (!r.slips) continue;
+      const Eigen::VectorXd force = coefficient_ / state.release * (corner.slip.transpose() * r.trial.normalized());
+      for (Eigen::Index i = 0; i < force.size(); ++i)
+        if (force[i] != 0.0) derivative.emplace_back(entries[i], multipliers[v], force[i]);
+    }
+  }
+}
+
 void Friction::commit(State& state) const {
   FrictionHistory& now = edit(state);
   Eigen::VectorXd tractions = Eigen::VectorXd::Zero(9 * contact_.triangles());

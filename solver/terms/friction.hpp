@@ -65,6 +65,7 @@ class Friction : public Term {
   double energy(const State& state) const override;
   double stored_energy(const State&) const override { return 0.0; }
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
+  void add_one_way(const State& state, std::vector<Eigen::Triplet<double>>& derivative) const override;
   void update(State& state) const override;
   void renew(State& state) const override;
   void commit(State& state) const override;

@@ -2,11 +2,12 @@
 // those that it is built on. All that changes is in the state: a term answers the same for the same state.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "postproc/fields.hpp"
 #include "solver/algebra/layout.hpp"
@@ -59,6 +60,9 @@ class Term {
   /// Residual (gradient of the energy) and, if wanted, its derivative, element by element.
   /// Returns false when the state is not admissible (inverted cell).
   virtual bool assemble(const State& state, Tangent tangent, Sink& sink) const = 0;
+  /// Adds what of the residual's derivative stands in no energy and on one side only, and so in no matrix that is factored: forces that
+  /// follow the multipliers while the gaps do not answer to them. Rows and columns are entries of the state.
+  virtual void add_one_way(const State&, std::vector<Eigen::Triplet<double>>& /*derivative*/) const {}
   /// Largest fraction of `direction` that stays admissible, at most `limit`.
   virtual double step_bound(const State&, const Eigen::VectorXd& direction, double limit) const { return limit; }
   /// Gives its step to what the term eliminated: entries without unknowns follow from the step of the others.

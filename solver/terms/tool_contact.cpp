@@ -82,7 +82,7 @@ void ToolContact::update(State& state) const {
 
 void ToolHistory::write(ByteWriter& writer) const {
   const ActiveSet::Memory& memory = active.memory();
-  writer(memory.flags), writer(memory.changed), writer(memory.fewest_wrong), writer(memory.waited), writer(weighted_gap);
+  writer(memory.flags), writer(memory.changed), writer(memory.fewest_wrong), writer(memory.waited), writer(memory.circled), writer(memory.turns), writer(weighted_gap);
 }
 
 void ToolContact::restore(State& state) const {
@@ -91,7 +91,7 @@ void ToolContact::restore(State& state) const {
   auto history = std::make_shared<ToolHistory>(vertices());
   ByteReader reader(stored->bytes);
   ActiveSet::Memory memory;
-  reader(memory.flags), reader(memory.changed), reader(memory.fewest_wrong), reader(memory.waited), reader(history->weighted_gap), reader.finish();
+  reader(memory.flags), reader(memory.changed), reader(memory.fewest_wrong), reader(memory.waited), reader(memory.circled), reader(memory.turns), reader(history->weighted_gap), reader.finish();
   if (static_cast<int>(memory.flags.size()) != vertices()) throw std::runtime_error("a stored state has another tool");
   history->active = ActiveSet(std::move(memory));
   state.history.put(name_, std::move(history));

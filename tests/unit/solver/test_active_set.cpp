@@ -69,5 +69,32 @@ TEST(ActiveSet, TheWorstAloneChangesWhenTheNumberHasNotFallenForLong) {
   EXPECT_EQ(set.flags(), (std::vector<char>{before[0], before[1], static_cast<char>(!before[2])}));
 }
 
+/// A gap that closes by 1 for each unit of its multiplier and stands at -1e-9 without one has no solution: within the slack it does not touch.
+TEST(ActiveSet, AVertexThatIsRightOnNeitherSideStaysOutOfContactWithinTheSlack) {
+  const Complementarity none{-Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Constant(1, -1e-9)};
+  const auto follow = [&](double slack) {
+    ActiveSet set(1);
+    set.begin();
+    for (int step = 0; step < 40; ++step) {
+      set.follow(none.trials(set), slack);
+      if (set.changed() == 0) return std::pair(step, static_cast<bool>(set[0]));
+    }
+    return std::pair(40, static_cast<bool>(set[0]));
+  };
+  EXPECT_EQ(follow(0.9e-9).first, 40);
+  const auto [steps, touches] = follow(1.1e-9);
+  EXPECT_LT(steps, 12);
+  EXPECT_FALSE(touches);
+}
+
+/// A set that has not gone in circles is decided to the last bit, whatever the slack.
+TEST(ActiveSet, TheSlackDoesNotCountWhereSetsComeToRest) {
+  const Complementarity near{Eigen::MatrixXd::Identity(1, 1), Eigen::VectorXd::Constant(1, -1e-9)};
+  ActiveSet set(1);
+  set.begin();
+  EXPECT_LE(steps_to_rest(near, set, 5), 2);
+  EXPECT_TRUE(set[0]);
+}
+
 }  // namespace
 }  // namespace snug::tests
