@@ -7,8 +7,8 @@ namespace snug::solver {
 
 namespace {
 
-// Iterations in which the number of vertices on the wrong side need not fall: with all of them changing, then with the worst.
-constexpr int most_patience = 5, most_patience_with_worst = 12;
+// Iterations in which the number of vertices on the wrong side need not fall: with all of them changing, then with the worst, then with one in turn.
+constexpr int most_patience = 5, most_patience_with_worst = 12, most_patience_in_turn = 24;
 constexpr double share_of_worst = 0.3;
 
 }  // namespace
@@ -51,7 +51,9 @@ void ActiveSet::follow(const std::vector<double>& trials, double slack) {
     ++memory_.waited;
   }
   if (memory_.waited > most_patience) memory_.circled = 1;
-  if (memory_.waited > most_patience_with_worst)
+  if (memory_.waited > most_patience_in_turn)
+    wrong = {wrong.back()};
+  else if (memory_.waited > most_patience_with_worst)
     wrong = {next_alone(wrong)};
   else if (memory_.waited > most_patience)
     std::erase_if(wrong, [&](int i) { return std::abs(trials[i]) < share_of_worst * worst; });

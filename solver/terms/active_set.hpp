@@ -10,9 +10,9 @@ namespace snug::solver {
 /// change at once as long as their number falls. When it has not for some iterations the sets go in circles, which the
 /// hats' full coupling allows; then only those change that are wrong by at least a share of the worst, so that small errors
 /// beside it, which its change may mend, do not come and go with it. The worst one is always among them. Where that does
-/// not help for long, one alone changes: of those that have changed least often so, the last one (the last one of all, which Murty, Linear Algebra
-/// and its Applications 7 (1974), shows to end for every positive definite problem, leaves the others waiting while it swings). With friction
-/// not every problem has a solution: a vertex may press on its neighbours' slip so that its gap closes as its multiplier grows, and
+/// not help for long, one alone changes, the one that has done so least often; and where that does not, the last one, which ends for
+/// every positive definite problem (Murty, Linear Algebra and its Applications 7 (1974)) but lets the others wait while it swings. With
+/// friction not every problem has a solution: a vertex may press on its neighbours' slip so that its gap closes as its multiplier grows, and
 /// then neither touching nor not touching is right to the last bit. Where sets have gone in circles a vertex out of contact therefore
 /// stays so while it is wrong by no more than `slack`.
 class ActiveSet {

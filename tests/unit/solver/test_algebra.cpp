@@ -157,6 +157,31 @@ TEST_F(LinearSystem, ALaggedFactorSolvesAMatrixNearby) {
   EXPECT_LE(error(A), 1e-8);
 }
 
+/// A part that is in no factor is solved for all the same: forces that follow the multipliers, half as large as those by which these hold.
+TEST_F(LinearSystem, APartOnOneSideIsSolvedForWithTheFactorOfTheRest) {
+  const Eigen::MatrixXd A = quasi_definite(5);
+  Eigen::MatrixXd part = Eigen::MatrixXd::Zero(n, n);
+  part.topRightCorner(positions, multipliers) = 0.5 * quasi_definite(8).topRightCorner(positions, multipliers);
+  const solver::OneWay one_way = [&](const Eigen::VectorXd& y, Eigen::VectorXd& sum) { sum += part * y; };
+  const auto report = solver.solve(element(A), right, x, {.tolerance = 1e-10}, one_way);
+  EXPECT_TRUE(report.ok);
+  EXPECT_EQ(report.negative_pivots, multipliers);
+  EXPECT_GE(report.iterations, 2);
+  EXPECT_LE(error(A + part), 1e-8);
+  EXPECT_GE(error(A), 1e-2);
+  ASSERT_TRUE(solver.solve(element(A), right, x).ok);  // the next solve is without it
+  EXPECT_LE(error(A), 1e-10);
+}
+
+/// A part with which FGMRES finds nothing (here: no numbers) is left out: what is found without it comes back.
+TEST_F(LinearSystem, APartThatCannotBeSolvedForIsLeftOut) {
+  const Eigen::MatrixXd A = quasi_definite(5);
+  const solver::OneWay no_numbers = [&](const Eigen::VectorXd&, Eigen::VectorXd& sum) { sum.setConstant(std::nan("")); };
+  const auto report = solver.solve(element(A), right, x, {.tolerance = 1e-10}, no_numbers);
+  EXPECT_TRUE(report.ok);
+  EXPECT_LE(error(A), 1e-8);
+}
+
 // A lagged factor gives way to a fresh one where it does not help, and that is seen after four iterations.
 TEST_F(LinearSystem, ALaggedFactorGivesWayToAFreshOneWhereItDoesNotHelp) {
   ASSERT_TRUE(solver.solve(element(quasi_definite(5)), right, x).ok);

@@ -101,6 +101,28 @@ TEST_P(FrictionTangent, IsSymmetricAndPositiveSemidefinite) {
   }
 }
 
+/// What an update makes of other pressures is what stands in no matrix: forces of corners that slip, none of those that stick.
+TEST_P(FrictionTangent, WhatFollowsThePressuresIsTheirDerivativeOnOneSide) {
+  Rubbed rubbed(std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto& layout = rubbed.scene.layout();
+  Eigen::VectorXd pressures = Eigen::VectorXd::Zero(layout.size());
+  for (int i = 0; i < layout["contact"].count; ++i) pressures[layout["contact"](i)] = 100.0 * std::cos(2.0 * i);
+  std::vector<Eigen::Triplet<double>> parts;
+  rubbed.friction().add_one_way(rubbed.state, parts);
+  Eigen::SparseMatrix<double> derivative(layout.size(), layout.size());
+  derivative.setFromTriplets(parts.begin(), parts.end());
+  const Eigen::VectorXd expected = derivative * pressures, before = assemble(rubbed.friction(), rubbed.state, Tangent::none).residual;
+  rubbed.state.values += pressures;
+  rubbed.update();
+  const Eigen::VectorXd found = assemble(rubbed.friction(), rubbed.state, Tangent::none).residual - before;
+  EXPECT_LE((found - expected).norm(), 1e-11 * before.norm());
+  if (std::get<1>(GetParam()) == sticking) {
+    EXPECT_TRUE(parts.empty());
+  } else {
+    EXPECT_GE(expected.norm(), 1e-3 * before.norm());
+  }
+}
+
 TEST_P(FrictionTangent, TractionsKeepTheBound) {
   Rubbed rubbed(std::get<0>(GetParam()), std::get<1>(GetParam()));
   const auto& layout = rubbed.scene.layout();
