@@ -61,12 +61,11 @@ void add_row(Csv& csv, Csv::Row row, Diagnostics& diagnostics) {
                                 csv.separator == ',' && row.cells.size() > csv.columns.size() ? "; with decimal commas separate by semicolons or tabs" : ""));
 }
 
-/// Where commas do not separate they may stand for decimal points. "1,234" alone could be a thousand; a file with tabs must show by
-/// some other number which it is.
+/// Where commas do not separate, or stand in quotes, they may be decimal points. "1,234" alone could be a thousand; a file without semicolons
+/// must show by some other number which it is.
 enum class Comma { none, decimal, unclear };
 
 Comma comma_of(const Csv& csv) {
-  if (csv.separator == ',') return Comma::none;
   bool commas = false, shown = csv.separator == ';';
   for (const Csv::Row& row : csv.rows)
     for (const std::string& cell : row.cells) {
@@ -120,6 +119,17 @@ std::vector<std::string> names(const Csv& csv) {
   return result;
 }
 
+/// Of two columns of one name nobody knows which is meant.
+bool is_there_twice(const Csv& csv, std::size_t index, Diagnostics& diagnostics) {
+  for (std::size_t c = index + 1; c < csv.columns.size(); ++c)
+    if (plain_name(csv.columns[c].name) == plain_name(csv.columns[index].name)) {
+      diagnostics.error(csv.columns[c].where, fmt::format("the column {} is there twice", csv.columns[index].name),
+                        "keep the one that counts: one table a specimen, one column a quantity");
+      return true;
+    }
+  return false;
+}
+
 void report_missing(const Csv& csv, const std::string& column, Diagnostics& diagnostics) {
   if (csv.columns.empty()) return;  // the file itself is already reported
   diagnostics.error({csv.file, csv.columns[0].where.line, 1}, "the column " + column + " is missing",
@@ -130,22 +140,60 @@ void report_missing(const Csv& csv, const std::string& column, Diagnostics& diag
 
 namespace {
 
-/// Units may stand in a row of their own below the names: every cell of it a unit, none in the head.
-void take_units_below_the_head(Csv& csv) {
-  if (csv.rows.empty() || std::any_of(csv.columns.begin(), csv.columns.end(), [](const Csv::Column& column) { return !column.unit.empty(); })) return;
-  const auto bare = [](std::string cell) {
-    const bool brackets = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
-    return brackets ? cell.substr(1, cell.size() - 2) : cell;
-  };
-  const auto is_unit = [&](const std::string& cell) {
+std::string bare(const std::string& cell) {
+  const bool brackets = cell.size() > 2 && ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
+  return brackets ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+bool are_units(const std::vector<std::string>& cells) {
+  const auto is_unit = [](const std::string& cell) {
     double factor = 0.0;
     constexpr std::array dimensions = {"m", "Pa", "N", "N/m", "s", "kg", "kg/m2", "rad"};
     return std::any_of(dimensions.begin(), dimensions.end(), [&](const char* one) { return unit_factor(bare(cell), one, factor); });
   };
+  const auto is_none = [](const std::string& cell) { return cell.empty() || bare(cell) == "-" || bare(cell) == "1" || bare(cell) == "%"; };
+  return std::any_of(cells.begin(), cells.end(), is_unit) && std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) { return is_none(cell) || is_unit(cell); });
+}
+
+std::size_t filled(const std::vector<std::string>& cells) {
+  std::size_t count = cells.size();
+  while (count > 0 && cells[count - 1].empty()) --count;
+  return count;
+}
+
+/// A row of data: two cells or more, nothing but numbers.
+bool is_numeric(const std::vector<std::string>& cells) {
+  std::size_t numbers = 0;
+  for (std::string cell : cells) {
+    if (cell.empty()) continue;
+    std::replace(cell.begin(), cell.end(), ',', '.');
+    double value = 0.0;
+    if (!parse_number(cell, value)) return false;
+    ++numbers;
+  }
+  return numbers > 1;
+}
+
+/// Instruments and people write names and dates over a table. Where the first row has fewer cells than the first row of numbers, the head is
+/// the row right over these (over their units), and what stands before it is passed over.
+std::size_t head_row(const std::vector<std::vector<std::string>>& rows) {
+  std::size_t data = 0;
+  while (data < rows.size() && !is_numeric(rows[data])) ++data;
+  if (data == rows.size() || data < 2) return 0;
+  const std::size_t wide = filled(rows[data]);
+  if (filled(rows[0]) >= wide) return 0;
+  const auto fits = [&](std::size_t row) { return filled(rows[row]) >= wide && !rows[row].empty(); };
+  std::size_t head = data - 1;
+  if (are_units(rows[head]) && fits(head - 1)) --head;
+  return fits(head) ? head : 0;
+}
+
+/// Units may stand in a row of their own below the names: every cell of it a unit, none in the head.
+void take_units_below_the_head(Csv& csv) {
+  if (csv.rows.empty() || std::any_of(csv.columns.begin(), csv.columns.end(), [](const Csv::Column& column) { return !column.unit.empty(); })) return;
   const std::vector<std::string>& cells = csv.rows.front().cells;
-  if (std::none_of(cells.begin(), cells.end(), is_unit)) return;
-  if (!std::all_of(cells.begin(), cells.end(), [&](const std::string& cell) { return cell.empty() || cell == "-" || cell == "1" || cell == "%" || is_unit(cell); })) return;
-  for (std::size_t c = 0; c < cells.size(); ++c) csv.columns[c].unit = cells[c] == "1" || cells[c] == "-" ? "" : bare(cells[c]);
+  if (!are_units(cells)) return;
+  for (std::size_t c = 0; c < cells.size(); ++c) csv.columns[c].unit = bare(cells[c]) == "1" || bare(cells[c]) == "-" ? "" : bare(cells[c]);
   csv.rows.erase(csv.rows.begin());
 }
 
@@ -166,11 +214,18 @@ Csv of_sheet(std::vector<SheetRow> sheet, Csv csv, Diagnostics& diagnostics) {
   csv.separator = '\0';
   std::size_t widest = 0;
   for (const SheetRow& row : sheet) widest = std::max(widest, row.cells.size());
+  std::vector<Csv::Row> rows;
+  std::vector<std::vector<std::string>> cells;
   for (SheetRow& from : sheet) {
     Csv::Row row{.line = from.number, .cells = {}, .columns = {}};
     for (std::string& cell : from.cells) row.cells.push_back(trimmed(cell)), row.columns.push_back(static_cast<int>(row.cells.size()));
     const bool empty = std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); });
     if (empty || row.cells[0].starts_with('#')) continue;
+    cells.push_back(row.cells);
+    rows.push_back(std::move(row));
+  }
+  rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(head_row(cells)));
+  for (Csv::Row& row : rows) {
     while (row.cells.size() < (csv.columns.empty() ? widest : csv.columns.size())) row.cells.emplace_back(), row.columns.push_back(static_cast<int>(row.cells.size()));
     add_row(csv, std::move(row), diagnostics);
   }
@@ -178,6 +233,16 @@ Csv of_sheet(std::vector<SheetRow> sheet, Csv csv, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+void take_units_from_names(Csv& csv, const std::vector<std::string>& known) {
+  for (Csv::Column& column : csv.columns) {
+    const HeadText split = split_unit(column.name);
+    if (!column.unit.empty() || split.unit.empty()) continue;
+    const auto is = [&](const std::string& name) { return plain_name(name) == plain_name(split.name); };
+    const auto is_whole = [&](const std::string& name) { return plain_name(name) == plain_name(column.name); };
+    if (std::any_of(known.begin(), known.end(), is) && std::none_of(known.begin(), known.end(), is_whole)) column.name = split.name, column.unit = split.unit;
+  }
+}
 
 int Csv::find(const std::string& name) const {
   for (std::size_t c = 0; c < columns.size(); ++c)
@@ -206,13 +271,20 @@ Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const 
     for (const Diagnostic& one : error.errors()) diagnostics.error(one.where, one.found, one.remedy);
     return csv;
   }
+  std::vector<std::pair<int, std::string>> lines;
+  std::vector<std::vector<std::string>> first_rows;  // enough of them to find the head
+  constexpr std::size_t longest_title = 200;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
     const std::string content = trimmed(line);
     if (content.empty() || content[0] == '#') continue;
-    if (csv.columns.empty()) csv.separator = separator_of(line);
-    add_row(csv, row_of(line, number, csv.separator), diagnostics);
+    if (first_rows.size() < longest_title) first_rows.push_back(cells_of(line, separator_of(line)).texts);
+    lines.emplace_back(number, std::move(line));
+  }
+  for (std::size_t l = head_row(first_rows); l < lines.size(); ++l) {
+    if (csv.columns.empty()) csv.separator = separator_of(lines[l].second);
+    add_row(csv, row_of(lines[l].second, lines[l].first, csv.separator), diagnostics);
   }
   return finished(std::move(csv), diagnostics);
 }
@@ -225,7 +297,7 @@ std::vector<double> numbers(const Csv& csv, const std::string& column, const std
     report_missing(csv, column, diagnostics);
     return {};
   }
-  if (!factor_of(csv.columns[index], si_unit, factor, diagnostics)) return {};
+  if (is_there_twice(csv, static_cast<std::size_t>(index), diagnostics) || !factor_of(csv.columns[index], si_unit, factor, diagnostics)) return {};
   std::vector<double> values = column_numbers(csv, index, diagnostics);
   for (double& value : values) value *= factor;
   return values;
@@ -237,9 +309,11 @@ std::vector<double> column_numbers(const Csv& csv, std::size_t index, Diagnostic
     double value = 0.0;
     if (parse_cell(csv, csv.rows[r].cells[index], value))
       values.push_back(value);
+    else if (csv.rows[r].cells[index].empty())
+      diagnostics.error(csv.place(r, index), fmt::format("the cell of the column {} is empty", csv.columns[index].name), "give its number, or leave the row out");
     else
       diagnostics.error(csv.place(r, index), fmt::format("\"{}\" in the column {} is no number", csv.rows[r].cells[index], csv.columns[index].name),
-                        "give a number with a decimal point and without a unit");
+                        "give a number with a decimal point and without a unit, or leave the row out");
   }
   return values.size() == csv.rows.size() ? values : std::vector<double>{};
 }

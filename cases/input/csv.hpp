@@ -37,6 +37,9 @@ struct Csv {
 /// Reads a CSV file or a workbook. A missing file, a missing head and rows of another length are reported; such rows are left out.
 Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const std::string& shown_as = {});
 
+/// Columns without a unit whose names are a known one and a unit, "girth_mm" or "girth cm", get both.
+void take_units_from_names(Csv& csv, const std::vector<std::string>& known);
+
 /// The numbers of a column in SI. `si_unit` empty: plain numbers, and a unit in the head is an error; otherwise the
 /// head must give a unit of that dimension: "girth [mm]", "girth (mm)", "girth in mm". Reports what is wrong and gives an empty vector
 /// when the column is missing or not all numbers.

@@ -1,6 +1,7 @@
 #include "cases/input/table_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdint>
 
@@ -75,23 +76,33 @@ std::string in_utf8(std::string_view bytes) {
   return text;
 }
 
+/// Bytes of a blank that does not break or is narrow, as text programs put before units; 0: there is none.
+std::size_t wide_blank(const std::string& text, std::size_t at) {
+  for (const std::string_view blank : {"\u00a0", "\u202f", "\u2009", "\u2007"})
+    if (text.compare(at, blank.size(), blank) == 0) return blank.size();
+  return 0;
+}
+
 }  // namespace
 
 std::string plain_text(std::string_view bytes) {
   const std::string text = in_utf8(bytes);
   std::string lines;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] != '\r') lines += text[at];
+    if (const std::size_t wide = wide_blank(text, at)) {
+      lines += ' ', at += wide - 1;
+    } else if (text[at] != '\r') lines += text[at];
     else if (at + 1 == text.size() || text[at + 1] != '\n') lines += '\n';
   }
   return lines;
 }
 
 char separator_of(std::string_view head) {
-  bool quoted = false, tab = false, semicolon = false;
+  bool quoted = false, tab = false, semicolon = false, begins = true;
   for (const char c : head) {
-    if (c == '"') quoted = !quoted;
+    if (c == '"' && (quoted || begins)) quoted = !quoted;
     tab |= !quoted && c == '\t', semicolon |= !quoted && c == ';';
+    begins = c == '\t' || c == ';' || c == ',' || (begins && c == ' ');
   }
   return tab ? '\t' : semicolon ? ';' : ',';
 }
@@ -100,7 +111,7 @@ LineCells cells_of(const std::string& line, char separator) {
   LineCells cells{{""}, {1}};
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"') {
+    if (line[i] == '"' && (quoted || trimmed(cells.texts.back()).empty())) {  // inside a cell it is a character: girth (")
       if (quoted && i + 1 < line.size() && line[i + 1] == '"') cells.texts.back() += line[i++];
       else quoted = !quoted;
     } else if (line[i] == separator && !quoted) {
@@ -133,6 +144,14 @@ HeadText head_of(const std::string& text) {
       if (unit_factor(unit, dimension, factor)) return {trimmed(text.substr(0, at)), unit};
   }
   return {text, ""};
+}
+
+HeadText split_unit(const std::string& name) {
+  static const std::array<std::string_view, 22> units = {"mm", "cm", "m",  "in",  "inch", "inches", "N",    "cN",  "mN", "kN",   "gf",
+                                                         "kgf", "%", "Pa", "kPa", "MPa",  "mmHg",   "hPa", "deg", "s", "percent", "lbf"};
+  const auto at = name.find_last_of(" _");
+  if (at == name.npos || at == 0 || std::find(units.begin(), units.end(), name.substr(at + 1)) == units.end()) return {name, ""};
+  return {trimmed(name.substr(0, at)), name.substr(at + 1)};
 }
 
 std::string plain_name(std::string_view name) {

@@ -26,6 +26,9 @@ struct HeadText {
 };
 HeadText head_of(const std::string& text);
 
+/// A unit of tables as the last word of a name, "girth_mm", "girth cm"; without one the name as it is.
+HeadText split_unit(const std::string& name);
+
 /// A name as names are compared: small letters, one _ for blanks, hyphens and points.
 std::string plain_name(std::string_view name);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -58,9 +59,12 @@ std::string long_word(const std::string& word) {
   static const std::map<std::string, std::string> words = {
       {"deg", "angle_in_degrees"},    {"degs", "angle_in_degrees"},   {"degree", "angle_in_degrees"}, {"degrees", "angle_in_degrees"},
       {"rad", "angle_in_radians"},    {"radian", "angle_in_radians"}, {"radians", "angle_in_radians"}, {"mrad", "1e-3 angle_in_radians"},
-      {"dyn", "dyne"},                {"gsm", "g/m2"}};
+      {"dyn", "dyne"},                {"gsm", "g/m2"},                {"GSM", "g/m2"},                {"gm", "g"},
+      {"oz", "lb/16"},                {"lbs", "lb"}};
   const auto known = words.find(word);
-  return known == words.end() ? word : known->second;
+  if (known != words.end()) return known->second;
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return word.size() == 4 && std::equal(word.begin(), word.end(), "mmhg", [&](char a, char b) { return small(a) == b; }) ? "mmHg" : word;
 }
 
 /// Words are letters with the digits between them; those at the end are an exponent ("deg2", "cm2").
@@ -74,6 +78,12 @@ std::string with_long_words(const std::string& text) {
       continue;
     }
     const std::string word = long_word(text.substr(at, end - at));
+    if (word == "per") {  // "N/cm per 10 %"
+      while (!result.empty() && result.back() == ' ') result.pop_back();
+      result += '/';
+      for (at = end; at < text.size() && text[at] == ' '; ++at) {}
+      continue;
+    }
     result += word.find_first_of(" /") == word.npos ? word : "(" + word + ")";
     at = end;
   }
@@ -88,7 +98,8 @@ std::string plain(std::string unit) {
       {"·", " "}, {"⋅", " "}, {"∙", " "}, {"•", " "}, {"×", " "}, {"*", " "},  // products
       {"\u00a0", " "}, {"\u202f", " "}, {"\u2009", " "},                      // blanks that printers use
       {"−", "-"}, {"–", "-"}, {"⁻", "-"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
-      {"°", "deg"}, {"º", "deg"}, {"˚", "deg"}, {"µ", "u"}, {"μ", "u"}, {"∕", "/"}, {"⁄", "/"}};
+      {"°", "deg"}, {"º", "deg"}, {"˚", "deg"}, {"µ", "u"}, {"μ", "u"}, {"∕", "/"}, {"⁄", "/"}, {"\"", "inch"}, {"″", "inch"},
+      {" . ", " "}, {". ", " "}, {" .d", " d"}, {" .c", " c"}, {" .m", " m"}};  // points that stand apart
   for (const auto& [from, to] : spellings)
     for (std::size_t at; (at = unit.find(from)) != std::string::npos;) unit.replace(at, from.size(), to);
   while (!unit.empty() && unit.back() == '.') unit.pop_back();
@@ -96,6 +107,13 @@ std::string plain(std::string unit) {
 }
 
 Unit parsed(const std::string& text) { return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8)); }
+
+/// A number right behind the last slash begins what is divided by: "N/cm/10 %" is a force per length at a tenth of stretch, in no sheet a
+/// tenth of it in percent.
+bool divides_by_a_number(const std::string& text) {
+  const auto slash = text.rfind('/');
+  return slash != text.npos && slash + 1 < text.size() && (text[slash + 1] == '.' || (text[slash + 1] >= '0' && text[slash + 1] <= '9'));
+}
 
 /// Everything behind the last slash as one divisor: "gf/cm deg" as "gf/(cm deg)". Empty where that is nothing else.
 std::string all_below(const std::string& text) {
@@ -161,11 +179,34 @@ std::string likely_slip(const std::string& unit, const std::string& si_unit, dou
         word += c;
         continue;
       }
-      result += (word == "g" ? "gf" : word == "kg" ? "kgf" : word) + c, word.clear();
+      result += (word == "g" ? "gf" : word == "kg" ? "kgf" : word == "lb" || word == "lbs" ? "lbf" : word) + c, word.clear();
     }
     return trimmed(result);
   };
-  if (as_force() != unit && unit_factor(as_force(), si_unit, factor)) return ": g is a mass, the force of a gram is gf: write \"" + as_force() + "\"";
+  if (as_force() != unit && unit_factor(as_force(), si_unit, factor)) return (unit.find("lb") == unit.npos ? ": g is a mass, the force of a gram is gf: write \"" : ": lb is a mass, its force is lbf: write \"") + as_force() + "\"";
+  return {};
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// What stands behind a number (which ends at `end`) and makes two of it: a decimal comma, a range, a deviation. Empty: nothing.
+std::string slip_in_number(const std::string& text, std::size_t end) {
+  if (text[end] == ',' && end + 1 < text.size() && is_digit(text[end + 1])) {
+    std::string pointed = text;
+    pointed[end] = '.';
+    return ": \"" + text.substr(end) + "\" is not a unit: decimals take a point, \"" + pointed + "\", and thousands no sign";
+  }
+  const char* const range = " is a range, and one number is due here: give its middle, or the end that counts";
+  if (end > 0 && text[end - 1] == '.' && text[end] == '.') return range;
+  const std::size_t after = text.find_first_not_of(" \t", end);
+  for (const char* sign : {"+-", "+/-", "±", "...", "..", "–", "-", "to "}) {
+    const std::string_view between(sign);
+    if (text.compare(after, between.size(), between) != 0) continue;
+    const std::size_t next = text.find_first_not_of(" \t", after + between.size());
+    if (next == text.npos || !is_digit(text[next])) return {};
+    const bool deviation = between[0] == '+' || between == "±";
+    return deviation ? " is a value with its deviation, and one number is due here: leave the deviation out" : range;
+  }
   return {};
 }
 
@@ -175,11 +216,11 @@ bool unit_factor(const std::string& unit, const std::string& si_unit, double& fa
   const std::string name = trimmed(unit);
   if (!is_unit_name(name)) return false;
   const Unit to = parse_unit(si_unit);
-  const std::string text = plain(name);
-  if (factor_between(parsed(text), to, factor)) return true;
-  // Sheets print gf/cm·deg for gf/(cm·deg) and N/5 cm for N/(5 cm): read so where only this has the dimension.
-  const std::string divided = all_below(text);
-  return !divided.empty() && factor_between(parsed(divided), to, factor);
+  const std::string text = plain(name), divided = all_below(text);
+  // Sheets print gf/cm·deg for gf/(cm·deg) and N/5 cm for N/(5 cm): read so where only this has the dimension, or a number is divided by.
+  const auto as_one_divisor = [&] { return !divided.empty() && factor_between(parsed(divided), to, factor); };
+  if (divides_by_a_number(text) && as_one_divisor()) return true;
+  return factor_between(parsed(text), to, factor) || as_one_divisor();
 }
 
 Quantity to_si(const std::string& text, const std::string& si_unit) {
@@ -194,6 +235,7 @@ Quantity to_si(const std::string& text, const std::string& si_unit) {
   if (fault != std::errc{}) return {0.0, "\"" + text + "\" does not begin with a number"};
   const std::string unit = trimmed({rest, end});
   if (unit.empty()) return {0.0, "\"" + text + "\" has no unit"};
+  if (const std::string slip = slip_in_number(trimmed_text, rest - trimmed_text.data()); !slip.empty()) return {0.0, "\"" + text + "\"" + slip};
   double factor = 1.0;
   if (unit_factor(unit, si_unit, factor)) return {number * factor, {}};
   if (!parse_unit(unit)) return {0.0, "\"" + unit + "\" in \"" + text + "\" is not a unit"};

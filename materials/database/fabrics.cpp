@@ -71,6 +71,19 @@ std::optional<Fabric> unloading_of(const Form& form) {
   return std::nullopt;
 }
 
+/// Laws know no places; what they refuse stands where the fabric is asked for.
+template <class Work>
+auto located(const input::Location& where, Work&& work) {
+  try {
+    return work();
+  } catch (const input::InputError& error) {
+    std::vector<input::Diagnostic> errors = error.errors();
+    for (input::Diagnostic& one : errors)
+      if (one.where.file.empty()) one.where = where;
+    throw input::InputError(std::move(errors));
+  }
+}
+
 Fabric with_name(Fabric fabric, const Entry& entry) {
   fabric.name = entry.name;
   fabric.source = entry.provenance.text();
@@ -85,8 +98,8 @@ Fabric find_fabric(const input::MaterialEntry& asked, input::FabricBranch branch
                             "write the curves of a strip test as fabric = { law = \"curve\", warp = \"" + asked.name +
                                 "\", weft = \"...\", width = \"50 mm\", shear = \"...\" }");
   const Entry entry = find_entry(asked, shipped(), "fabric");
-  const auto fabric = with_form(entry.table, [&](const auto& form) -> std::optional<Fabric> {
-    return branch == input::FabricBranch::loading ? form.fabric() : unloading_of(form);
+  const auto fabric = located(asked.where, [&] {
+    return with_form(entry.table, [&](const auto& form) -> std::optional<Fabric> { return branch == input::FabricBranch::loading ? form.fabric() : unloading_of(form); });
   });
   if (!fabric)
     throw input::InputError(asked.where, "the fabric " + entry.name + " has no unloading curve",

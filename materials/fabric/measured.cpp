@@ -82,6 +82,18 @@ void refuse_cycles(const std::vector<CurvePoint>& loading, const input::Location
   }
 }
 
+/// Of a second cycle behind the first it would not be said that it is left out.
+void refuse_further_cycles(const std::vector<CurvePoint>& points, std::size_t turn, const input::Location& where) {
+  constexpr double noise = 0.1;  // of the largest strain
+  double least = points[turn].strain;
+  for (std::size_t p = turn + 1; p < points.size(); ++p) {
+    least = std::min(least, points[p].strain);
+    if (least < (1.0 - noise) * points[turn].strain && points[p].strain > least + noise * points[turn].strain && points[p].force > noise * points[turn].force)
+      throw InputError(where, fmt::format("behind the largest force the elongation falls to {:.3g} % and rises to {:.3g} % again", 100.0 * least, 100.0 * points[p].strain),
+                       "give one cycle: the rows from rest to the largest force, and those back to rest");
+  }
+}
+
 /// What a force counts from: a strip that is held under a pretension at no strain.
 double pretension(const std::vector<CurvePoint>& points) { return points.front().strain > 0.0 ? 0.0 : std::max(0.0, points.front().force); }
 
@@ -106,6 +118,7 @@ std::vector<CurvePoint> loading_knots(const std::vector<CurvePoint>& points, con
   const std::size_t last = end_of_loading(points);
   std::vector<CurvePoint> loading(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   refuse_cycles(loading, where);
+  refuse_further_cycles(points, last, where);
   const double start_force = loading.front().force, start_strain = loading.front().strain;
   for (CurvePoint& point : loading)  // a pretension, and the slack that is taken up before it
     if (start_strain > 0.0 || start_force > 0.0) point.force = std::max(0.0, point.force - (start_strain > 0.0 ? 0.0 : start_force));

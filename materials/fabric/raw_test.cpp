@@ -94,9 +94,20 @@ Names heads(const input::Csv& csv) {
   return names;
 }
 
+/// "force_N", "strain %": units that stand in the names.
+input::Csv with_units(input::Csv csv) {
+  Names known;
+  for (const Names& names : {strain_names(), extension_names(), force_names(), unloading_names(), angle_names, shear_force_names, curvature_names, moment_names, thickness_names,
+                             pressure_names, distance_names, height_names})
+    known.insert(known.end(), names.begin(), names.end());
+  input::take_units_from_names(csv, known);
+  return csv;
+}
+
 }  // namespace
 
-RawTest tensile_test(const input::Csv& csv, const Specimen& specimen) {
+RawTest tensile_test(const input::Csv& table, const Specimen& specimen) {
+  const input::Csv csv = with_units(table);
   const int relative = column_of(csv, strain_names()), absolute = column_of(csv, extension_names());
   const int strain = relative >= 0 ? relative : absolute, force = column_of(csv, force_names());
   if (strain < 0 || force < 0)
@@ -114,7 +125,7 @@ RawTest tensile_test(const input::Csv& csv, const Specimen& specimen) {
 
 RawTest read_test(const std::filesystem::path& file, const Specimen& specimen) {
   input::Diagnostics diagnostics;
-  const input::Csv csv = input::read_csv(file, diagnostics);
+  const input::Csv csv = with_units(input::read_csv(file, diagnostics));
   diagnostics.throw_if_any();
   for (const Form& form : forms(specimen)) {
     const int x = column_of(csv, form.x), y = column_of(csv, form.y);

@@ -27,10 +27,10 @@ std::vector<double> column_in(const input::Csv& csv, int column, const ColumnUni
 }
 
 std::vector<std::string> strain_names() {
-  return {"strain", "tensile_strain", "elongation", "extension_strain", "engineering_strain", "nominal_strain", "e"};
+  return {"strain", "tensile_strain", "elongation", "extension_strain", "engineering_strain", "nominal_strain", "e", "dehnung", "allongement"};
 }
-std::vector<std::string> extension_names() { return {"extension", "displacement", "crosshead", "elongation_length"}; }
-std::vector<std::string> force_names() { return {"force", "load", "tensile_force", "standard_force", "tension", "f"}; }
+std::vector<std::string> extension_names() { return {"extension", "displacement", "crosshead", "elongation_length", "weg", "traverse", "standardweg"}; }
+std::vector<std::string> force_names() { return {"force", "load", "tensile_force", "standard_force", "tension", "f", "kraft", "standardkraft", "zugkraft", "charge"}; }
 std::vector<std::string> unloading_names() {
   return {"unloading", "unloading_force", "force_unloading", "recovery", "recovery_force"};
 }

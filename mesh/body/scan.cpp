@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "cases/input/warned_error.hpp"
 #include "mesh/body/elliptic_outline.hpp"
 #include "mesh/body/fourier_outline.hpp"
 #include "mesh/body/section_centres.hpp"
@@ -176,24 +177,34 @@ Limb limb_from_skin(const BodyMesh& body, double lower, double upper, const Loca
   return limb;
 }
 
-Limb limb_from_scan(const input::BodySpec& spec) {
-  if (!spec.scan) throw InputError(spec.where, "body kind \"scan\" without a scan", "add the table [body.scan]");
-  const OrientedScan scan = read_scan(*spec.scan, spec.where);
+namespace {
+
+/// Skin, bone and ends of the limb that is scanned.
+void fit_limb(const OrientedScan& scan, const input::BodySpec& spec, Limb& limb) {
   double radius = spec.scan->smoothing_radius;
   if (!(radius > 0.0)) radius = 2.0 * lower_section(scan, spec.where).girth / spec.cells_around;
   const double sigma = 0.5 * radius;
   const TrackedSections sections = track_sections(scan, 0.5 * sigma, 3.0 * sigma, spec.where);
   const Eigen::MatrixXd coefficients = smooth_coefficients(sections, sigma, spec.where);
 
-  Limb limb;
   limb.skin = std::make_unique<FourierOutline>(VectorSpline(sections.z0, sections.dz, coefficients));
   limb.bone = bone_along(coefficients, sections, spec.scan->bone.value_or(input::BoneSpec{}), spec.where);
   limb.lower = scan.lower.z();
   limb.upper = scan.upper.z();
   limb.residual = residual_of(limb, coefficients, sections);
   limb.residual.smoothing_radius = radius;
-  for (const std::string& said : scan.said) limb.remarks.push_back({{spec.scan->surface.string()}, said, "write unit = \"1 mm\", or as it is"});
   check_bone_inside(limb, spec.where);
+}
+
+}  // namespace
+
+Limb limb_from_scan(const input::BodySpec& spec) {
+  if (!spec.scan) throw InputError(spec.where, "body kind \"scan\" without a scan", "add the table [body.scan]");
+  const OrientedScan scan = read_scan(*spec.scan, spec.where);
+  Limb limb;
+  for (const std::string& said : scan.said) limb.remarks.push_back({{spec.scan->surface.string()}, said, "write unit = \"1 mm\", or as it is"});
+  for (const std::string& said : scan.mended) limb.remarks.push_back({{spec.scan->surface.string()}, said, "look at the scan there"});
+  input::with_warnings(limb.remarks, [&] { fit_limb(scan, spec, limb); });
   return limb;
 }
 

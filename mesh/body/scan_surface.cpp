@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -32,21 +33,53 @@ Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where)
   return rotation;
 }
 
-double largest_extent(const TriangleSurface& surface) {
-  Eigen::Vector3d low = surface.vertices.front(), high = low;
-  for (const auto& x : surface.vertices) low = low.cwiseMin(x), high = high.cwiseMax(x);
-  return (high - low).maxCoeff();
-}
-
-/// A person and parts of one are 5 cm to 2.3 m long: below 3 the file counts in metres, from 230 on in millimetres.
-double guessed_unit(const TriangleSurface& surface, std::vector<std::string>& said) {
-  const double size = largest_extent(surface);
-  const auto [unit, name] = size < 3.0 ? std::pair{1.0, "m"} : size < 230.0 ? std::pair{1e-2, "cm"} : std::pair{1e-3, "mm"};
-  said.push_back(fmt::format("unit left out: the file is taken to count in {}, which makes it {:.4g} m long", name, size * unit));
-  return unit;
-}
+struct Box {
+  Eigen::Vector3d low, high;
+  explicit Box(const TriangleSurface& surface) : low(surface.vertices.front()), high(low) {
+    for (const auto& x : surface.vertices) low = low.cwiseMin(x), high = high.cwiseMax(x);
+  }
+  double size() const { return (high - low).maxCoeff(); }
+};
 
 Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+/// Points of the cuts, in the file's axes and metres.
+std::vector<Eigen::Vector3d> cut_points(const input::ScanSpec& spec) {
+  std::vector<Eigen::Vector3d> points;
+  for (const input::NamedCut& cut : spec.cuts) points.push_back(vector(cut.point));
+  if (points.empty() && spec.lower && spec.upper) points = {vector(spec.lower->point), vector(spec.upper->point)};
+  return points;
+}
+
+struct FileUnit {
+  double size;
+  const char* name;
+};
+
+/// The unit in which the surface is as long as a person or a part of one (2 cm to 2.5 m) and holds the points of the cuts; of several that do
+/// the one in which two cuts take most of it, since what is scanned apart is cut near its ends. Where none holds them: below 3 the file
+/// counts in metres, from 230 on in millimetres, between in centimetres.
+FileUnit guessed_unit(const Box& box, const std::vector<Eigen::Vector3d>& cuts) {
+  constexpr double shortest = 0.02, longest = 2.5, slack = 0.02;
+  const auto holds = [&](double unit) {
+    const Eigen::Vector3d way = Eigen::Vector3d::Constant(slack * unit * box.size()), low = unit * box.low - way, high = unit * box.high + way;
+    return std::all_of(cuts.begin(), cuts.end(), [&](const auto& x) { return (x.array() >= low.array()).all() && (x.array() <= high.array()).all(); });
+  };
+  const double size = box.size();
+  const FileUnit by_size = size < 3.0 ? FileUnit{1.0, "m"} : size < 230.0 ? FileUnit{1e-2, "cm"} : FileUnit{1e-3, "mm"};
+  if (cuts.empty()) return by_size;
+  constexpr std::array units = {FileUnit{1e-3, "mm"}, FileUnit{1e-2, "cm"}, FileUnit{1.0, "m"}, FileUnit{0.0254, "inch"}};  // inches where no other fits
+  for (const FileUnit& unit : units)  // in the smaller unit the cuts take more of the surface
+    if (unit.size * size >= shortest && unit.size * size <= longest && holds(unit.size)) return unit;
+  return by_size;
+}
+
+double guessed_unit(const TriangleSurface& surface, const input::ScanSpec& spec, std::vector<std::string>& said) {
+  const Box box(surface);
+  const FileUnit unit = guessed_unit(box, cut_points(spec));
+  said.push_back(fmt::format("unit left out: the file is taken to count in {}, which makes it {:.4g} m long", unit.name, box.size() * unit.size));
+  return unit.size;
+}
 
 /// Gives a standard body the stature and girths that are asked, and says what came out.
 void reshape(const input::BodyMorph& asked, const Location& where, ScanSurface& scan) {
@@ -70,7 +103,7 @@ ScanSurface read_scan_surface(const input::ScanSpec& spec, const Location& where
   ScanSurface scan;
   scan.to_body = file_to_body(spec, where);
   scan.surface = read_surface(spec.surface);
-  scan.unit = spec.unit ? *spec.unit : guessed_unit(scan.surface, scan.said);
+  scan.unit = spec.unit ? *spec.unit : guessed_unit(scan.surface, spec, scan.said);
   for (auto& vertex : scan.surface.vertices) vertex = scan.to_body * (scan.unit * vertex);
   if (spec.morph) reshape(*spec.morph, where, scan);
   return scan;

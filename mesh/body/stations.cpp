@@ -29,8 +29,8 @@ struct ColumnSpec {
 };
 
 const std::vector<ColumnSpec>& column_specs() {
-  static const std::vector<ColumnSpec> specs = {{"height", "m", {}, false, {"h", "z", "level", "position", "distance", "height_above_floor", "axial_position"}},
-                                                {"girth", "m", {}, true, {"circumference", "circ", "perimeter", "skin_girth", "girths", "circumferences"}},
+  static const std::vector<ColumnSpec> specs = {{"height", "m", {}, false, {"h", "z", "level", "position", "distance", "height_above_floor", "axial_position", "höhe", "hoehe", "hauteur", "altezza", "altura"}},
+                                                {"girth", "m", {}, true, {"circumference", "circ", "perimeter", "skin_girth", "girths", "circumferences", "umfang", "tour", "circonférence", "circonference", "circonferenza", "contorno", "perímetro"}},
                                                 {"width_to_depth", "", 1.0, true, {"ratio", "aspect_ratio"}},
                                                 {"centre_x", "m", 0.0, false, {"center_x"}},
                                                 {"centre_y", "m", 0.0, false, {"center_y"}},
@@ -43,6 +43,9 @@ const std::vector<ColumnSpec>& column_specs() {
 
 /// Columns under the names that are asked for.
 void rename(Csv& csv) {
+  std::vector<std::string> names;
+  for (const ColumnSpec& spec : column_specs()) names.push_back(spec.name), names.insert(names.end(), spec.also.begin(), spec.also.end());
+  input::take_units_from_names(csv, names);
   for (const ColumnSpec& spec : column_specs()) {
     if (const int known = csv.find(spec.name); known >= 0) {
       csv.columns[known].name = spec.name;
@@ -62,7 +65,7 @@ void check_known(const Csv& csv, Diagnostics& diagnostics) {
   for (const auto& column : csv.columns)
     if (std::find(known.begin(), known.end(), column.name) == known.end())
       diagnostics.error(column.where, fmt::format("the column \"{}\" is not known", column.name),
-                        input::did_you_mean(column.name, known));
+                        column.name.find("iamet") != std::string::npos ? "give girths, pi times the diameters of a round section: girth [mm]" : input::did_you_mean(column.name, known));
 }
 
 /// Lengths without a unit are not guessed, but what they are likely to be is said.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "mesh/body/scan_surface.hpp"
+#include "mesh/surface/mending.hpp"
 
 namespace snug::mesh {
 
@@ -70,6 +71,24 @@ std::vector<SectionLoop> between(const OrientedScan& scan, double dz, int steps,
   return loops;
 }
 
+/// Small holes are filled, faces given twice go; wider holes are told as they are.
+void close_between(OrientedScan& scan, const input::ScanSpec& spec) {
+  const HeightRange range{scan.lower.z(), scan.upper.z()};
+  const Location where{spec.surface.string()};
+  try {
+    return check_closed(scan.surface, where, range);
+  } catch (const InputError&) {
+    MendedSurface mended = mend(scan.surface, {.hole = spec.fill_holes});
+    for (const WideHole& hole : mended.wide_holes)
+      if (hole.rim.z() >= range.lower && hole.rim.z() <= range.upper)
+        throw InputError(where, fmt::format("the surface is not closed: a hole {:.0f} mm wide at ({:.0f}, {:.0f}, {:.0f}) mm", 1e3 * hole.width, 1e3 * hole.rim.x(), 1e3 * hole.rim.y(), 1e3 * hole.rim.z()),
+                         fmt::format("fill_holes = \"{:.0f} mm\" in [body.scan] fills it flat; or close it in the scanner's program, or move the cut planes so that it lies outside them", std::ceil(1e3 * hole.width)));
+    scan.surface = std::move(mended.surface);
+    for (const Mending& one : mended.mendings) scan.mended.push_back(fmt::format("mended: {}, the first at ({:.0f}, {:.0f}, {:.0f}) mm", one.what, 1e3 * one.at.x(), 1e3 * one.at.y(), 1e3 * one.at.z()));
+    check_closed(scan.surface, where, range);
+  }
+}
+
 }  // namespace
 
 OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
@@ -80,13 +99,13 @@ OrientedScan read_scan(const input::ScanSpec& spec, const Location& where) {
   };
   check_plane(turned(spec.lower->normal), "lower", where);
   check_plane(turned(spec.upper->normal), "upper", where);
-  OrientedScan scan{std::move(read.surface), turned(spec.lower->point), turned(spec.upper->point), std::move(read.said)};
+  OrientedScan scan{std::move(read.surface), turned(spec.lower->point), turned(spec.upper->point), std::move(read.said), {}};
   if (!(scan.upper.z() > scan.lower.z()))
     throw InputError(where,
                      fmt::format("the upper cut plane (height {:.1f} mm) is not above the lower one ({:.1f} mm)",
                                  1e3 * scan.upper.z(), 1e3 * scan.lower.z()),
                      "give heights along the up axis, in metres or with a unit");
-  check_closed(scan.surface, {spec.surface.string()}, HeightRange{scan.lower.z(), scan.upper.z()});
+  close_between(scan, spec);
   return scan;
 }
 

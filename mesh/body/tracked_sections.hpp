@@ -14,12 +14,13 @@ namespace snug::mesh {
 struct OrientedScan {
   TriangleSurface surface;
   Eigen::Vector3d lower, upper;
-  std::vector<std::string> said = {};  ///< what was guessed
+  std::vector<std::string> said = {};    ///< what was guessed
+  std::vector<std::string> mended = {};  ///< what was mended between the cut planes
 };
 
 /// Reads the surface of `spec` and turns its axes. Throws input::InputError: no such file, up and front not two
-/// different axes, unit not positive, cut planes tilted by more than 20 degrees or in the wrong order, surface open
-/// between them.
+/// different axes, unit not positive, cut planes tilted by more than 20 degrees or in the wrong order, a hole wider than
+/// `fill_holes` between them. A surface that is not closed there is mended (mesh/surface/mending).
 OrientedScan read_scan(const input::ScanSpec& spec, const input::Location& where);
 
 /// Sections at z0 + n dz.

@@ -19,7 +19,7 @@ bool says_nothing(const std::string& name) {
       "MPTE", "MPTG", "TBTE", "LSTR", "LSSO", "L", "DOF", "PSTR", "LUMP", "BCSO", "CEIN", "MSHC", "MSHK", "PRRS", "RATE", "NCNV", "LNSR", "PRED",
       "EALI", "DMPR", "ALPH", "BETA", "EXIT", "NERR", "EOF", "CRPL", "NEQI", "KUSE", "TOFF", "TRNO", "STEF", "THOP", "DMPO", "EMUN", "SOLC",
       "STAB", "RESC", "MONI", "OPNC", "PIVC", "TIMI", "SSTI", "OUTG", "GST", "CNTR", "PCGO", "LOCA", "CLOC", "CS", "WPOF", "WPRO", "WPAV", "WPLA",
-      "NUMS", "CMGR", "CMPL", "NLDI", "MXPA", "ETCO", "REST", "RIGI", "TINT", "CECM", "NLHI", "CMDI", "ESYS", "LOCL"};
+      "NUMS", "CMGR", "CMPL", "NLDI", "MXPA", "ETCO", "REST", "RIGI", "TINT", "CECM", "NLHI", "CMDI", "ESYS", "LOCL", "CSCI"};
   return names.contains(name);
 }
 

@@ -27,7 +27,8 @@ struct ApdlArea {
 };
 
 struct ApdlMaterial {
-  std::map<std::string, double> properties;  ///< EX, PRXY, NUXY, DENS
+  std::map<std::string, double> properties;  ///< EX, PRXY, NUXY, GXY, DENS
+  bool elastic = false;                      ///< E and nu stand in `table` (TB,ELASTIC)
   ModelLaw hyperelastic = ModelLaw::none;
   std::vector<double> table;  ///< of TBDATA
   int terms = 1;

@@ -111,7 +111,7 @@ class Assembly {
     model_.node_sets = deck_.node_sets;
     turn_into_global(model_, deck_.frames, file_, diagnostics_);
     finish(model_, file_, diagnostics_);
-    add_pressures();
+    if (!diagnostics_.any()) add_pressures();
     name_materials();
     if (!deck_.large_displacements && (!model_.forces.empty() || !model_.pressures.empty() || !model_.supports.empty()))
       model_.remarks.push_back(linear_step_remark(file_, "NLGEOM,ON"));
@@ -156,8 +156,10 @@ class Assembly {
       to.density = value("DENS", 0.0);
       to.law = from->second.hyperelastic != ModelLaw::none ? from->second.hyperelastic : p.contains("EX") ? ModelLaw::elastic : ModelLaw::none;
       // Ansys: PRXY is 0.3 where nothing is said; for an isotropic material NUXY is the same number.
-      if (to.law == ModelLaw::elastic) to.constants = {value("EX", 0.0), value("PRXY", value("NUXY", 0.3))};
+      if (from->second.elastic && from->second.table.size() > 1 && to.law == ModelLaw::none) to.law = ModelLaw::elastic, to.constants = {from->second.table[0], from->second.table[1]};
+      else if (to.law == ModelLaw::elastic) to.constants = {value("EX", 0.0), value("PRXY", value("NUXY", 0.3))};
       else if (to.law != ModelLaw::none) to.constants = hyperelastic_constants(from->second);
+      if (to.law == ModelLaw::elastic) check_shear(element.material, from->second, to.constants);
       const std::size_t first_volume = to.law == ModelLaw::yeoh ? from->second.terms : to.law == ModelLaw::ogden ? 2 * from->second.terms : 60;
       for (std::size_t d = first_volume + 1; d < from->second.table.size(); ++d)
         if (from->second.table[d] != 0.0) error(from->second.line, fmt::format("the volume of material {} has a law of higher order", element.material), "give d1 only");
@@ -166,6 +168,14 @@ class Assembly {
     }
     model_.materials.push_back(std::move(to));
     return it->second;
+  }
+
+  /// GXY of an isotropic material is E/(2 (1 + nu)); another one makes it orthotropic.
+  void check_shear(int number, const ApdlMaterial& material, const std::vector<double>& constants) {
+    const auto given = material.properties.find("GXY");
+    const double due = constants[0] / (2.0 * (1.0 + constants[1]));
+    if (given != material.properties.end() && std::abs(given->second - due) > 1e-3 * std::abs(due))
+      error(material.line, fmt::format("GXY of material {} is {:g}, and E/(2 (1 + nu)) is {:g}: it is not isotropic", number, given->second, due), "leave GXY out, or correct EX and PRXY");
   }
 
   int section(const ApdlElement& element, int ename) {

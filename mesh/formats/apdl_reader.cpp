@@ -171,8 +171,8 @@ class ApdlReader {
     }
   }
   bool is_read(const FieldLine& line, std::size_t label) {
-    static const std::set<std::string> read = {"EX", "PRXY", "NUXY", "DENS"}, expansion = {"ALPX", "ALPY", "ALPZ", "CTEX", "THSX"},
-        others = {"REFT", "KXX", "KYY", "KZZ", "C", "MU", "DAMP", "DMPR", "ALPD", "BETD", "GXY", "RSVX", "MURX", "PERX", "EMIS", "HF", "ENTH"};
+    static const std::set<std::string> read = {"EX", "PRXY", "NUXY", "DENS", "GXY"}, expansion = {"ALPX", "ALPY", "ALPZ", "CTEX", "THSX"},
+        others = {"REFT", "KXX", "KYY", "KZZ", "C", "MU", "DAMP", "DMPR", "ALPD", "BETD", "RSVX", "MURX", "PERX", "EMIS", "HF", "ENTH"};
     const std::string name = upper_case(line.text(label));
     if (expansion.contains(name) && line.number_at(label + (label == 1 && short_name(line.text(0)) == "MP" ? 2 : 3)) != 0.0) expands_ = line.number;
     if (!read.contains(name) && !others.contains(name) && !expansion.contains(name))
@@ -190,13 +190,18 @@ class ApdlReader {
     ApdlMaterial& material = this->material(line, table_);
     const std::string lab = upper_case(line.text(1)).substr(0, 4), option = upper_case(line.text(5));
     material.terms = std::clamp(line.integer_at(4, option.starts_with("MOON") ? 2 : 1), 1, 10);
+    material.table.clear();
+    material.elastic = lab == "ELAS" && (option.empty() || option.starts_with("ISOT") || option.starts_with("EX"));
+    if (material.elastic) return check_one_temperature(line);
     material.hyperelastic = lab != "HYPE" ? ModelLaw::none : option.starts_with("NEO") ? ModelLaw::neo_hooke
-                            : option.starts_with("MOON") && material.terms == 2 ? ModelLaw::mooney_rivlin
+                            : (option.starts_with("MOON") && material.terms == 2) || (option.starts_with("POLY") && material.terms == 1) ? ModelLaw::mooney_rivlin
                             : option.starts_with("YEOH") && material.terms <= 3 ? ModelLaw::yeoh
                             : option.starts_with("OGDE") ? ModelLaw::ogden : ModelLaw::none;
-    material.table.clear();
     if (material.hyperelastic == ModelLaw::none)
-      line.error(1, "this table of a material is not read", "use TB,HYPER with NEO, MOONEY (2 parameters), YEOH or OGDEN, or MP,EX and MP,PRXY");
+      line.error(1, "this table of a material is not read", "use TB,HYPER with NEO, MOONEY (2 parameters), YEOH or OGDEN, TB,ELASTIC with ISOT, or MP,EX and MP,PRXY");
+    check_one_temperature(line);
+  }
+  static void check_one_temperature(const FieldLine& line) {
     if (line.integer_at(3, 1) > 1) line.error(3, "the table of the material depends on the temperature", "give it for one temperature");
   }
   void table_data(const FieldLine& line) {

@@ -100,7 +100,17 @@ void InpLoads::press(const FieldLine& line, double by) {
   const int face = label.size() == 2 && label[0] == 'P' ? label[1] - '1' : label == "P" ? 0 : -1;
   if (face < 0 || face > 5)
     return line.error(1, fmt::format("the load {} is not taken over", line.text(1)), "use pressures P1 ... P6, or [load] gravity in case.toml");
-  for (const int element : sets_.elements_named(line)) put(pressures_, {element, face, by * line.number_at(2)});
+  for (const int element : sets_.elements_named(line)) {
+    if (label == "P") along_normal_.emplace(element, line.at(1));
+    put(pressures_, {element, face, by * line.number_at(2)});
+  }
+}
+
+void InpLoads::check_faces(const Model& model) {
+  for (const ModelElement& element : model.elements)
+    if (const auto at = along_normal_.find(element.number); at != along_normal_.end() && !is_shell(element.kind))
+      return diagnostics_.error(at->second, fmt::format("the pressure P acts along the normal of a shell, and element {} is a solid", element.number),
+                                "name the face of the solid: P1 ... P6, or *DSLOAD on a surface");
 }
 
 /// S1 ... S6 of solids; SPOS and SNEG of shells, of which a pressure on the upper side (SPOS) acts against the normal.
@@ -152,6 +162,7 @@ NodalFrames InpLoads::frames(const Model& model) {
 }
 
 void InpLoads::give(Model& model) {
+  check_faces(model);
   model.supports = std::move(supports_);
   model.forces = std::move(forces_.all);
   model.pressures = std::move(pressures_.all);

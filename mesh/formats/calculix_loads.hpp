@@ -70,6 +70,8 @@ class InpLoads {
   void press(const FieldLine& line, double by);
   void press_surface(const FieldLine& line, double by);
   static void put(Loads<ModelPressure>& pressures, const ModelPressure& pressure);
+  /// A pressure without a face acts on shells alone.
+  void check_faces(const Model& model);
   NodalFrames frames(const Model& model);
 
   const InpSets& sets_;
@@ -77,6 +79,7 @@ class InpLoads {
   input::Diagnostics& diagnostics_;
   std::map<std::string, std::vector<SurfaceFace>> surfaces_;
   std::map<std::string, std::vector<std::pair<double, double>>> amplitudes_;  ///< times and values
+  std::map<int, input::Location> along_normal_;  ///< elements with a pressure that names no face, and where
   std::vector<std::pair<std::string, FrameByPoints>> transforms_;             ///< of sets of nodes
   std::vector<ModelSupport> supports_;
   Loads<ModelForce> forces_;

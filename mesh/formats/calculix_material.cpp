@@ -13,8 +13,13 @@ ModelLaw hyperelastic_law(const FieldLine& card, const InpParameters& parameters
   if (parameters.contains("NEOHOOKE")) return ModelLaw::neo_hooke;
   if (parameters.contains("MOONEY-RIVLIN")) return ModelLaw::mooney_rivlin;
   if (parameters.contains("OGDEN")) return ModelLaw::ogden;
-  if (parameters.contains("YEOH") || (parameters.contains("REDUCEDPOLYNOMIAL") && value_of(parameters, "N") == "3")) return ModelLaw::yeoh;
-  card.error(0, "this hyperelastic law is not taken over", "use NEO HOOKE, MOONEY-RIVLIN, YEOH or OGDEN");
+  const std::string terms = value_of(parameters, "N");
+  if (parameters.contains("YEOH") || (parameters.contains("REDUCEDPOLYNOMIAL") && (terms == "2" || terms == "3"))) return ModelLaw::yeoh;
+  if (parameters.contains("REDUCEDPOLYNOMIAL") && (terms.empty() || terms == "1")) return ModelLaw::neo_hooke;
+  const bool polynomial = parameters.contains("POLYNOMIAL") || parameters.size() == std::size_t{parameters.contains("N")};  // the form that Abaqus and CalculiX take where none is named
+  if (polynomial && (terms.empty() || terms == "1")) return ModelLaw::mooney_rivlin;
+  card.error(0, "this hyperelastic law is not taken over",
+             "use NEO HOOKE, MOONEY-RIVLIN, POLYNOMIAL with N=1, REDUCED POLYNOMIAL up to N=3, YEOH or OGDEN");
   return ModelLaw::none;
 }
 
@@ -30,7 +35,7 @@ InpConstants::InpConstants(const FieldLine& card, const InpParameters& parameter
     case ModelLaw::elastic: shape_ = 2; break;
     case ModelLaw::neo_hooke: shape_ = 1, volume_ = 1; break;
     case ModelLaw::mooney_rivlin: shape_ = 2, volume_ = 1; break;
-    case ModelLaw::yeoh: shape_ = 3, volume_ = 3; break;
+    case ModelLaw::yeoh: shape_ = volume_ = parameters.contains("YEOH") ? 3 : n; break;
     case ModelLaw::ogden: shape_ = 2 * n, volume_ = n; break;
     case ModelLaw::none: break;
   }
@@ -55,6 +60,7 @@ void InpConstants::set_law(const FieldLine& line, ModelMaterial& material) const
     for (std::size_t t = 0; t < shape_; t += 2) c[t] *= 2.0 / c[t + 1];
   for (std::size_t d = shape_ + 1; d < values_.size(); ++d)
     if (values_[d] != 0.0) line.error(0, fmt::format("D{} is {}: the volume has a law of higher order", d - shape_ + 1, values_[d]), "give D1 only");
+  if (law_ == ModelLaw::yeoh) c.resize(3, 0.0);
   if (values_.size() > shape_) c.push_back(2.0 / values_[shape_]);
   for (const double value : c)
     if (!std::isfinite(value)) return line.error(0, "the material is perfectly incompressible or incomplete (D1 = 0)", "give D1 = 2/kappa");

@@ -62,7 +62,7 @@ double FieldLine::number_at(std::size_t field, double otherwise) const {
   if (empty(field)) return otherwise;
   if (const auto value = number_of(text(field))) return *value;
   error(field, fmt::format("\"{}\" is no number", text(field).substr(0, 20)),
-        "write the number itself; parameters and expressions are not evaluated");
+        "write the number itself; names stand for numbers only in APDL, where they are set before (NAME=VALUE)");
   return otherwise;
 }
 
@@ -70,7 +70,7 @@ int FieldLine::integer_at(std::size_t field, int otherwise) const {
   if (empty(field)) return otherwise;
   if (const auto value = integer_of(text(field))) return *value;
   error(field, fmt::format("\"{}\" is no whole number", text(field).substr(0, 20)),
-        "write the number itself; parameters and expressions are not evaluated");
+        "write the number itself; names stand for numbers only in APDL, where they are set before (NAME=VALUE)");
   return otherwise;
 }
 

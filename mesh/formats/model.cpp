@@ -91,7 +91,7 @@ class NodeCheck {
   }
   void operator()(int node, int line, const std::string& what) {
     if (known_.contains(node) || diagnostics_.errors().size() >= most_errors) return;
-    diagnostics_.error({file_, line, 0}, fmt::format("{} names node {}, which is not there", what, node),
+    diagnostics_.error({file_, line, line > 0 ? 1 : 0}, fmt::format("{} names node {}, which is not there", what, node),
                        "give the node its coordinates, or leave it out");
   }
 
@@ -117,6 +117,7 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
   if (model.elements.empty() && !diagnostics.any())
     diagnostics.error({file, 0, 0}, "there are no elements in it",
                       "give a model with elements: NBLOCK and EBLOCK, N and E, K and A, or *NODE and *ELEMENT");
+  if (diagnostics.any()) return;  // what was not read may be what is missed below
   NodeCheck check(model, file, diagnostics);
   std::unordered_set<int> elements;
   for (const ModelElement& element : model.elements) {
@@ -175,7 +176,8 @@ bool is_model_file(const std::filesystem::path& file) {
 }
 
 Model read_model(const std::filesystem::path& file, const std::filesystem::path& root, int load_step) {
-  const std::string text = input::read_file(file);
+  std::string text = input::read_file(file);
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // a mark that editors of Windows put before UTF-8
   input::Diagnostics diagnostics;
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   Model model = upper_case(file.extension().string()) == ".FEB" ? parse_febio(text, file.string(), diagnostics, load_step)

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "cases/input/warned_error.hpp"
 #include "postproc/documents.hpp"
 #include "solver/app/wrapping.hpp"
 
@@ -86,6 +87,8 @@ void Console::warn(const std::string& text) {
 }
 
 void Console::error(const input::InputError& error) {
+  if (const auto* warned = dynamic_cast<const input::WarnedError*>(&error))
+    for (const input::Diagnostic& warning : warned->warnings()) warn(warning);
   to_standard_error(error.what());
   for (const input::Diagnostic& one : error.errors()) errors_->push_back(diagnostic_json(one, input::to_string(one)));
 }

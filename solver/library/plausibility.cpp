@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/input/warned_error.hpp"
 #include "solver/scene/tools.hpp"
 
 namespace snug::solver {
@@ -18,6 +19,7 @@ constexpr double smallest_part = 2e-3, largest_part = 3.0;  // m: a phantom of a
 constexpr double impossible = 4.0;                          // times beyond these
 constexpr double tight = 0.4, loose = 2.5;                  // garment over girth
 constexpr double torn = 0.2, tent = 6.0;
+constexpr double stiffest_cloth = 0.01;                     // elongation at the largest force of a test; KES and FAST find 1.5 % and more of woven cloth
 constexpr double squeezed = 0.5;                            // of what lies before a tool; limbs are indented by 0.11 to 0.25 in vivo (limb_sites.toml)
 constexpr double coarse_cells = 0.5;                        // of a tool's radius
 
@@ -30,7 +32,7 @@ class Checks {
     if (case_.body && case_.body->kind != input::BodyKind::stations) check_size();
     if (case_.body && case_.body->kind == input::BodyKind::scan && meshes_.limb.bone) check_shape();
     if (meshes_.limb.skin || meshes_.form)
-      for (std::size_t g = 0; g < fits_.size(); ++g) check_fit(case_.garments[g], fits_[g]);
+      for (std::size_t g = 0; g < fits_.size(); ++g) check_fit(case_.garments[g], model_.garments[g].fabric, fits_[g]);
     for (const GarmentModel& garment : model_.garments) {
       check_fabric(garment.fabric, garment.spec.fabric.where);
       for (std::size_t z = 0; z < garment.zones.size(); ++z) check_fabric(garment.zones[z], garment.spec.zone[z].fabric.where);
@@ -39,7 +41,7 @@ class Checks {
       for (const input::ToolSpec& tool : case_.tools) check_tool(tool);
     if (!model_.deformable() && !case_.postures.empty())
       say(false, case_.postures.front().where, fmt::format("the postures are left out: tier {} has a rigid skin, which does not bend", input::text_of(case_.solver.tier)), "take tier L4 for them");
-    errors_.throw_if_any();
+    input::with_warnings(warnings_, [&] { errors_.throw_if_any(); });
     return std::move(warnings_);
   }
 
@@ -57,7 +59,8 @@ class Checks {
     if (meshes_.body.nodes.empty() || (size >= smallest_part && size <= largest_part)) return;
     const double unit = case_.body->kind == input::BodyKind::scan ? case_.body->scan->unit.value_or(1.0) : case_.body->unit;
     std::string remedy = "look at its unit";
-    for (const auto& [name, other] : {std::pair{"1 mm", 1e-3}, std::pair{"1 cm", 1e-2}, std::pair{"1 m", 1.0}})
+    if (case_.body->kind == input::BodyKind::scan && !case_.body->scan->unit) remedy = "give the unit of the file, e.g. unit = \"1 um\" in [body.scan]";
+    else for (const auto& [name, other] : {std::pair{"1 mm", 1e-3}, std::pair{"1 cm", 1e-2}, std::pair{"1 m", 1.0}})
       if (const double then = size / unit * other; then > 0.02 && then < largest_part && other != unit) {
         remedy = fmt::format("does the file count in {}? unit = \"{}\" would make it {:.4g} mm", name + 2, name, 1e3 * then);
         break;
@@ -80,14 +83,14 @@ class Checks {
         "is the limb cut along instead of across? programs of clothes and animation write files with up = \"y\"");
   }
 
-  void check_fit(const input::GarmentSpec& garment, const mesh::GarmentFit& fit) {
+  void check_fit(const input::GarmentSpec& garment, const materials::Fabric& fabric, const mesh::GarmentFit& fit) {
     const mesh::MeanFit mean = meshes_.form ? mesh::mean_fit(fit) : mesh::mean_fit(fit, meshes_.limb);
     if (!(mean.body_girth > 0.0)) return;
     const double cut = mean.garment_girth, girth = mean.body_girth;
     if (!(cut > 0.0) || !(fit.length() > 0.0)) return;
     const double ratio = cut / girth;
     const std::string key = garment.pattern.sewn() ? "the pattern's unit" : "flat_circumference";
-    if (ratio >= tight && ratio <= loose) return;
+    if (ratio >= tight && ratio <= loose) return check_range(garment, fabric, 1.0 / ratio - 1.0);
     const auto close = [&](double factor) { return ratio * factor > 0.45 && ratio * factor < 1.3; };
     std::string remedy = ratio < 1.0 ? "no fabric stretches so far: look at " + key + " and the girths" : "look at " + key + " and the girths";
     for (const auto& [factor, text] : {std::pair{10.0, "mm written for cm, or a digit too few"}, std::pair{0.1, "cm written for mm, or a digit too many"},
@@ -113,6 +116,21 @@ class Checks {
     look("thickness", fabric.thickness, 2e-5, 0.02, 1e3, "mm");
     look("stiffness", fabric.stiffness(), 1.0, 3e6, 1.0, "N/m");
     look("shear stiffness", fabric.shear, 0.1, 1e6, 1.0, "N/m");
+    if (const double end = std::min(end_of_data(fabric.warp), end_of_data(fabric.weft)); end < stiffest_cloth)
+      say(false, where, fmt::format("the curve of the fabric ends at an elongation of {:.3g} %", 100.0 * end),
+          fmt::format("if a share was written for a percentage, write \"{:.3g} %\" (in the head of a table [1] instead of [%])", 1e4 * end));
+  }
+
+  static double end_of_data(const materials::TensionCurve& curve) { return std::sqrt(1.0 + 2.0 * curve.data_end()) - 1.0; }
+
+  /// Tiers with a garment that is solved measure it afterwards (scene/guards); the law of Laplace goes on along the curve's end.
+  void check_range(const input::GarmentSpec& garment, const materials::Fabric& fabric, double strain) {
+    if (case_.solver.tier != input::Tier::L0 || garment.pattern.sewn()) return;
+    const double end = end_of_data(garment.warp == input::WarpDirection::around ? fabric.warp : fabric.weft);
+    if (strain > 1.02 * end)
+      say(false, garment.where, fmt::format("the cloth is stretched by {:.0f} % in the mean, beyond the {:.3g} % up to which there are data of {}; there its curve is continued straight",
+                                            100.0 * strain, 100.0 * end, fabric.name.empty() ? "the fabric" : fabric.name),
+          "choose a larger size, or a fabric whose data reach that far");
   }
 
   void check_tool(const input::ToolSpec& tool) {

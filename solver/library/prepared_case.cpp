@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "cases/input/suggestion.hpp"
+#include "cases/input/warned_error.hpp"
 #include "mesh/body/branching_body.hpp"
 #include "mesh/body/foreign.hpp"
 #include "mesh/body/import.hpp"
@@ -185,9 +186,8 @@ void mesh_garments(const std::vector<mesh::GarmentCut>& cuts, PreparedCase& prep
   const mesh::DressForm* form = prepared.meshes.form.get();
   for (const mesh::GarmentCut& cut : cuts) fits.push_back(form ? mesh::placed_fit(cut, *form) : mesh::placed_fit(cut, prepared.meshes.limb));
   const std::vector<double> cell_sizes = garment_cell_sizes(prepared, cuts, fits);
-  std::vector<input::Diagnostic>& warnings = prepared.warnings = prepared.meshes.body.remarks;
-  const auto add = [&](const std::vector<input::Diagnostic>& more) { warnings.insert(warnings.end(), more.begin(), more.end()); };
-  add(prepared.meshes.limb.remarks), add(implausible(prepared.model, prepared.meshes, fits));
+  const auto add = [&](const std::vector<input::Diagnostic>& more) { prepared.warnings.insert(prepared.warnings.end(), more.begin(), more.end()); };
+  add(implausible(prepared.model, prepared.meshes, fits));
   for (std::size_t g = 0; g < cuts.size(); ++g) {
     if (cuts[g].pattern) add(cuts[g].pattern->warnings);
     const double lift = placing_lift(prepared.model, prepared.meshes.garments, fits[g]);
@@ -231,11 +231,15 @@ PreparedCase prepare(const std::filesystem::path& directory, const PrepareOption
   const Stopwatch meshing;
   prepared.memory_limit = options.memory_limit > 0.0 ? options.memory_limit : memory_of_machine();
   prepared.meshes = make_body(prepared.description, cuts, options.gmsh, prepared.memory_limit);
-  keep_found_locations(prepared.meshes.body, prepared.description, prepared.jobs);
-  prepared.model = make_model(prepared.description, prepared.meshes.body);
-  sensor_places(prepared.jobs.sensors, prepared.description, prepared.meshes.body);  // one beside the skin is told before the solve
-  cut_graduated(cuts, prepared);
-  mesh_garments(cuts, prepared);
+  prepared.warnings = prepared.meshes.body.remarks;
+  prepared.warnings.insert(prepared.warnings.end(), prepared.meshes.limb.remarks.begin(), prepared.meshes.limb.remarks.end());
+  input::with_warnings(prepared.warnings, [&] {
+    keep_found_locations(prepared.meshes.body, prepared.description, prepared.jobs);
+    prepared.model = make_model(prepared.description, prepared.meshes.body);
+    sensor_places(prepared.jobs.sensors, prepared.description, prepared.meshes.body);  // one beside the skin is told before the solve
+    cut_graduated(cuts, prepared);
+    mesh_garments(cuts, prepared);
+  });
   prepared.quality = mesh::quality(prepared.meshes.body);
   prepared.phases.push_back({"meshing", meshing.seconds()});
   return prepared;

@@ -73,6 +73,31 @@ TEST(Units, WrongTextsAreRefusedWithTheReason) {
   EXPECT_FALSE(to_si("", "m").ok());
 }
 
+TEST(Units, ANumberBehindTheLastSlashIsDividedByWithItsUnit) {
+  // A force per width at a share of stretch: both readings have the dimension, and a sheet means one of them.
+  for (const char* unit : {"N/cm/25 %", "N/cm / 25 %", "N/cm per 25%", "N per cm/25 %"}) EXPECT_NEAR(si(std::string("3 ") + unit, "N/m"), 300.0 / 0.25, 1e-9) << unit;
+  EXPECT_NEAR(si("3 N per 40 mm", "N/m"), 75.0, 1e-9);
+  EXPECT_NEAR(si("20 mmHg/4", "Pa"), 5 * 133.322, 0.01);
+}
+
+TEST(Units, OfMillsAndOfPeopleInAHurryAreKnown) {
+  EXPECT_NEAR(si("7 oz/yd2", "kg/m2"), 7 * 0.028349523125 / (0.9144 * 0.9144), 1e-12);  // avoirdupois ounce and yard by definition
+  EXPECT_NEAR(si("190 GSM", "kg/m2"), 0.19, 1e-12);
+  EXPECT_NEAR(si("190 gm/m2", "kg/m2"), 0.19, 1e-12);
+  EXPECT_NEAR(si("18 MMHG", "Pa"), si("18 mmHg", "Pa"), 1e-12);
+  EXPECT_NEAR(si("12\"", "m"), 0.3048, 1e-12);
+  EXPECT_NEAR(si("2 cN/ cm . deg", "N/(m rad)"), si("2 cN/(cm deg)", "N/(m rad)"), 1e-9);
+  EXPECT_NE(to_si("4 lb/in", "N/m").found.find("write \"lbf/in\""), std::string::npos) << to_si("4 lb/in", "N/m").found;
+}
+
+TEST(Units, TwoNumbersWhereOneIsDueAreToldApart) {
+  // A decimal comma, a range and a deviation are each refused with what to write.
+  EXPECT_NE(to_si("1,5 kPa", "Pa").found.find("\"1.5 kPa\""), std::string::npos) << to_si("1,5 kPa", "Pa").found;
+  for (const char* range : {"15-20 mmHg", "15 - 20 mmHg", "15..20 mmHg", "15 to 20 mmHg", "15 – 20 mmHg"}) EXPECT_NE(to_si(range, "Pa").found.find("a range"), std::string::npos) << range;
+  for (const char* deviation : {"15 ± 2 mmHg", "15 +- 2 mmHg", "15+/-2 mmHg"}) EXPECT_NE(to_si(deviation, "Pa").found.find("its deviation"), std::string::npos) << deviation;
+  EXPECT_EQ(to_si("15 mmHg-", "Pa").found.find("a range"), std::string::npos);
+}
+
 TEST(Suggestion, NearestNameIsFound) {
   // A misspelt name finds the one that was meant, and a foreign one finds none.
   EXPECT_EQ(nearest("ficton", {"friction", "basis"}), "friction");
@@ -116,6 +141,49 @@ TEST_F(CsvFile, NumbersAreWhole) {
   const Csv csv = read("girth [mm]\n500 mm\n5x\n5;1\n0x10\n");
   numbers(csv, "girth", "m", diagnostics_);
   EXPECT_EQ(diagnostics_.errors().size(), 4u);
+}
+
+TEST_F(CsvFile, TitlesOverTheHeadArePassedOver) {
+  // An instrument's export: names and settings, the head, its units, numbers in quotes. Lines without numbers below are no titles.
+  const Csv csv = read("Method,strip\nWidth,40,mm\n\n\"Time\",\"Load\",\"Strain\"\n\"(s)\",\"(N)\",\"(%)\"\n\"0\",\"0\",\"0\"\n\"1\",\"2.5\",\"8\"\n");
+  EXPECT_EQ(numbers(csv, "load", "N", diagnostics_), (std::vector<double>{0.0, 2.5}));
+  EXPECT_EQ(csv.rows[1].line, 7);
+  const Csv semicolons = read("Herr X\nheight;girth\ncm;cm\n0;24,5\n5;26\n");
+  EXPECT_EQ(numbers(semicolons, "girth", "m", diagnostics_), (std::vector<double>{0.245, 0.26}));
+  EXPECT_FALSE(diagnostics_.any());
+}
+
+TEST_F(CsvFile, DecimalCommasInQuotesAreNumbers) {
+  // As spreadsheets of other countries write tables with commas between the columns; "1,234" alone could be a thousand.
+  const Csv csv = read("height [cm],girth [cm]\n\"0\",\"24,5\"\n\"5,25\",\"26\"\n");
+  EXPECT_EQ(numbers(csv, "height", "m", diagnostics_), (std::vector<double>{0.0, 0.0525}));
+  EXPECT_FALSE(diagnostics_.any());
+  read("height [mm],girth [mm]\n\"0\",\"1,245\"\n");
+  EXPECT_TRUE(diagnostics_.any());
+}
+
+TEST_F(CsvFile, UnitsStandAtTheEndOfKnownNamesAndInchesAsMarks) {
+  Csv csv = read("height_cm,girth in,width_to_depth,bone (\")\n1,10,0.9,2\n");
+  take_units_from_names(csv, {"height", "girth", "width_to_depth"});
+  EXPECT_EQ(numbers(csv, "height", "m", diagnostics_), (std::vector<double>{0.01}));
+  EXPECT_EQ(numbers(csv, "girth", "m", diagnostics_), (std::vector<double>{0.254}));
+  EXPECT_EQ(numbers(csv, "width_to_depth", "", diagnostics_), (std::vector<double>{0.9}));
+  EXPECT_NEAR(numbers(csv, "bone", "m", diagnostics_).at(0), 0.0508, 1e-15);
+  EXPECT_FALSE(diagnostics_.any());
+}
+
+TEST_F(CsvFile, AColumnThatIsThereTwiceIsRefusedWhereItIsRead) {
+  // Of two specimens side by side the first would be taken without a word.
+  const Csv csv = read("strain [%],force [N],strain [%],force [N],note,note\n0,0,0,0,a,b\n");
+  EXPECT_TRUE(numbers(csv, "force", "N", diagnostics_).empty());
+  ASSERT_EQ(diagnostics_.errors().size(), 1u);
+  EXPECT_EQ(diagnostics_.errors()[0].where.column, 33);
+}
+
+TEST_F(CsvFile, BlanksThatDoNotBreakAreBlanks) {
+  const Csv csv = read("height\u00a0[mm],girth\u202f[mm]\n\u00a05,\u2009310\n");
+  EXPECT_EQ(numbers(csv, "girth", "m", diagnostics_), (std::vector<double>{0.31}));
+  EXPECT_FALSE(diagnostics_.any());
 }
 
 TEST_F(CsvFile, ErrorsAreAtTheirCells) {

@@ -52,6 +52,22 @@ TEST(MeasuredCurve, NoiseUnloadingAndPretensionAreTakenOut) {
   EXPECT_NE(fault([] { materials::curve_through({{0, 1}, {0.1, 1}}, {"strip.csv", 0, 0}); }).find("does not rise"), std::string::npos);
 }
 
+TEST(MeasuredCurve, ASecondCycleBehindTheFirstIsRefused) {
+  // It would be left out without a word; one way back, with slack at its end, is none.
+  const std::vector<CurvePoint> one = {{0, 0}, {0.2, 8}, {0.4, 30}, {0.3, 12}, {0.1, 1}, {0.02, 0}, {0, 0}};
+  EXPECT_NO_THROW(materials::curve_through(one, {}));
+  std::vector<CurvePoint> two = one;
+  two.insert(two.end(), {{0.2, 7}, {0.4, 29}});
+  EXPECT_NE(fault([&] { materials::curve_through(two, {"strip.csv", 0, 0}); }).find("strip.csv: error: behind the largest force the elongation falls to 0 % and rises to 20 % again"), std::string::npos)
+      << fault([&] { materials::curve_through(two, {"strip.csv", 0, 0}); });
+}
+
+TEST(MeasuredFabric, WhatASheetContradictsIsRefusedAtItsPlace) {
+  // The law itself knows no place.
+  EXPECT_NE(fault([] { find_fabric(inline_table(R"({ law = "fast", E5 = 5, E20 = 3, E100 = 9, EB5 = 4 })")); }).find(".toml"), std::string::npos)
+      << fault([] { find_fabric(inline_table(R"({ law = "fast", E5 = 5, E20 = 3, E100 = 9, EB5 = 4 })")); });
+}
+
 TEST(MeasuredFabric, AStripTestIsReadFromATableOfTheCase) {
   // Force of a strip of 25 mm over extension of 80 mm, and force per width over strain in percent with decimal commas: both curves.
   namespace fs = std::filesystem;

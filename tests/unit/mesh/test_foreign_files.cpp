@@ -344,6 +344,68 @@ TEST(Calculix, OfSeveralStepsTheEndOfTheLastIsTaken) {
   EXPECT_EQ(std::count_if(moved.held.begin(), moved.held.end(), [](const auto& h) { return h.displacement == 0.001; }), 1);
 }
 
+namespace {
+
+const char* const tetrahedron = "*NODE\n1,0,0,0\n2,4,0,0\n3,0,4,0\n4,0,0,4\n*ELEMENT, TYPE=C3D4, ELSET=E\n7, 1,2,3,4\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n";
+
+}  // namespace
+
+TEST(Calculix, PolynomialsOfTheInvariantsAreTheLawsThatTheyAre) {
+  // POLYNOMIAL of one term is Mooney-Rivlin's, and so is a law without a name; REDUCED POLYNOMIAL of one to three terms neo-Hooke's and Yeoh's.
+  const auto law = [](const std::string& card) { return inp(tetrahedron + card + "*BOUNDARY\n1,1,3\n").materials.at(0); };
+  for (const char* card : {"*HYPERELASTIC, POLYNOMIAL, N=1\n0.02,0.005,0.1\n", "*HYPERELASTIC, POLYNOMIAL\n0.02,0.005,0.1\n", "*HYPERELASTIC\n0.02,0.005,0.1\n"}) {
+    EXPECT_EQ(law(card).law, ModelLaw::mooney_rivlin) << card;
+    EXPECT_EQ(law(card).constants, (std::vector<double>{0.02, 0.005, 20.0})) << card;
+  }
+  EXPECT_EQ(law("*HYPERELASTIC, REDUCED POLYNOMIAL\n0.02,0.1\n").constants, (std::vector<double>{0.04, 20.0}));
+  EXPECT_EQ(law("*HYPERELASTIC, REDUCED POLYNOMIAL, N=2\n0.02,0.003,0.1,0\n").constants, (std::vector<double>{0.02, 0.003, 0.0, 20.0}));
+  EXPECT_EQ(law("*HYPERELASTIC, YEOH\n0.02,0.003,0.001,0.1\n").constants, (std::vector<double>{0.02, 0.003, 0.001, 20.0}));
+  EXPECT_NE(fault(inp, tetrahedron + std::string("*HYPERELASTIC, POLYNOMIAL, N=2\n1,1,1,1,1,1,1\n")).find("part.inp:10:1"), std::string::npos);
+}
+
+TEST(Calculix, APressureWithoutAFaceIsOneOfShells) {
+  // On a solid it used to act on its first face.
+  const std::string text = tetrahedron + std::string("*ELASTIC\n1,0.3\n*STEP, NLGEOM\n*STATIC\n*DLOAD\nE, P, 0.01\n*END STEP\n");
+  EXPECT_NE(fault(inp, text).find("part.inp:15:4: error: the pressure P acts along the normal of a shell, and element 7 is a solid"), std::string::npos) << fault(inp, text);
+}
+
+TEST(Calculix, WhatIsMissingBecauseACardIsNotReadIsNotReported) {
+  // The nodes that *NGEN would make are no errors of their own.
+  const std::string text = "*NODE\n1,0,0,0\n2,4,0,0\n*NGEN\n1,2,1\n*ELEMENT, TYPE=C3D4, ELSET=E\n7, 1,2,3,4\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n*ELASTIC\n1,0.3\n";
+  EXPECT_NE(fault(inp, text).find("part.inp:4:1: error: the card *NGEN"), std::string::npos) << fault(inp, text);
+  EXPECT_EQ(fault(inp, text).find("node 3"), std::string::npos) << fault(inp, text);
+}
+
+namespace {
+
+const char* const block = "ET,1,285\nN,1,0,0,0\nN,2,4,0,0\nN,3,0,4,0\nN,4,0,0,4\n";
+
+}  // namespace
+
+TEST(Apdl, ElasticTablesAndPolynomialsOfOneTermAreRead) {
+  const ModelMaterial elastic = apdl(block + std::string("TB,ELAS,1,1,2,ISOT\nTBDATA,1,0.07,0.41\nE,1,2,3,4\nD,1,ALL\n")).materials.at(0);
+  EXPECT_EQ(elastic.law, ModelLaw::elastic);
+  EXPECT_EQ(elastic.constants, (std::vector<double>{0.07, 0.41}));
+  const ModelMaterial polynomial = apdl(block + std::string("TB,HYPER,1,1,1,POLY\nTBDATA,1,0.02,0.005,0.1\nE,1,2,3,4\nD,1,ALL\n")).materials.at(0);
+  EXPECT_EQ(polynomial.law, ModelLaw::mooney_rivlin);
+  EXPECT_EQ(polynomial.constants, (std::vector<double>{0.02, 0.005, 20.0}));
+}
+
+TEST(Apdl, AShearModulusOfItsOwnMakesAMaterialOrthotropic) {
+  // That of an isotropic one is E/(2 (1 + nu)); another one used to be passed over.
+  const std::string text = block + std::string("MP,EX,1,0.06\nMP,PRXY,1,0.2\nMP,GXY,1,");
+  EXPECT_EQ(fault(apdl, text + "0.025\nE,1,2,3,4\nD,1,ALL\n"), "");
+  EXPECT_NE(fault(apdl, text + "0.01\nE,1,2,3,4\nD,1,ALL\n").find("GXY of material 1 is 0.01, and E/(2 (1 + nu)) is 0.025"), std::string::npos);
+}
+
+TEST(Apdl, LocalSystemsOfCdwriteSayNothingAndAMarkBeforeTheTextNeither) {
+  const std::string text = "\xEF\xBB\xBF/PREP7\nLOCAL,R5.0,LOC, 11,1,  0.0, 0.0, 0.0\nLOCAL,R5.0,ANG, 11,1,  0.0, 0.0, 0.0\nCSCIR,11,0,0\n" + std::string(block) + "MP,EX,1,1\nE,1,2,3,4\nD,1,ALL\n";
+  const auto file = std::filesystem::temp_directory_path() / ("snug-mark-" + std::to_string(::getpid()) + ".cdb");
+  std::ofstream(file) << text;
+  EXPECT_EQ(read_model(file).elements.size(), 1u);
+  std::filesystem::remove(file);
+}
+
 TEST(Calculix, OgdenOfSeveralTermsGoesOn) {
   // Nine constants, eight a line; D2 and D3 must be 0.
   const std::string head = inp_nodes + "*ELEMENT, TYPE=C3D8R, ELSET=E\n1, 1,2,3,4,5,6,7,8\n*MATERIAL, NAME=M\n*HYPERELASTIC, OGDEN, N=3\n";

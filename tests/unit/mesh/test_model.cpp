@@ -103,7 +103,7 @@ TEST(Apdl, WhatCannotBeTakenOverIsSaidWithItsLine) {
   EXPECT_NE(error_of(apdl, "et,1,185\nvmesh,all\n").find("body.txt:2:1: error: the command \"vmesh\" is not read"), std::string::npos);
   EXPECT_NE(error_of(apdl, "n,1,a*2\n").find("body.txt:1:5: error: \"a*2\" is no number"), std::string::npos);
   EXPECT_NE(error_of(apdl, "k,1,0,0,0\n.....\nk,9,1,1,1\n").find("body.txt:2:1: error: lines are left out"), std::string::npos);
-  EXPECT_NE(error_of(apdl, "et,1,285\nmp,ex,1,1\nn,1\nn,2,1\nn,3,,1\ne,1,2,3,4\n").find("body.txt:6:0: error: element 1 names node 4"), std::string::npos)
+  EXPECT_NE(error_of(apdl, "et,1,285\nmp,ex,1,1\nn,1\nn,2,1\nn,3,,1\ne,1,2,3,4\n").find("body.txt:6:1: error: element 1 names node 4"), std::string::npos)
       << error_of(apdl, "et,1,285\nmp,ex,1,1\nn,1\nn,2,1\nn,3,,1\ne,1,2,3,4\n");
   EXPECT_NE(error_of(apdl, "et,1,63\nk,1\nk,2,1\nk,3,,1\na,1,2,3\n").find("not said how fine"), std::string::npos);
   EXPECT_NE(error_of(apdl, "et,1,63\nn,1\nn,2,1\nn,3,,1\ne,1,2,3\n").find("has no thickness"), std::string::npos);

@@ -189,6 +189,46 @@ TEST(Scan, AHoleBetweenTheCutPlanesIsRefusedAndOneBeyondThemIsNot) {
   expect_error(spec, "not closed");
 }
 
+TEST(Scan, AUnitThatIsLeftOutIsTheOneInWhichTheCutsLieInTheSurface) {
+  // A piece of a limb, 400 mm long, counted in mm, cm, m and inches: its cuts are 0.1 and 0.3 m up, and its radius comes back as 50 mm. By its
+  // size alone the one in mm (400) could be told, one of 40 in inches (15.7) not.
+  for (const double unit : {1e-3, 1e-2, 1.0, 0.0254}) {
+    const ScanFile file({round_tube(0.05)}, unit);
+    input::BodySpec spec = file.spec();
+    spec.scan->unit.reset();
+    ASSERT_EQ(error_of(spec), "no error") << unit;
+    EXPECT_NEAR(make_limb(spec).girth(0.2), 2 * pi * 0.05, 2e-4) << unit;
+  }
+  // A forearm of 200 units is 200 mm and no body of 2 m.
+  const ScanFile arm({round_tube(0.05)}, 2e-3);
+  input::BodySpec spec = arm.spec();
+  spec.scan->unit.reset();
+  spec.scan->lower->point[1] = 0.05, spec.scan->upper->point[1] = 0.15;
+  ASSERT_EQ(error_of(spec), "no error");
+  EXPECT_NEAR(make_limb(spec).girth(0.1), 2 * pi * 0.025, 2e-4);
+}
+
+TEST(Scan, AFaceThatIsMissingIsFilledAndOneThatIsThereTwiceGoes) {
+  // Between the cuts, where they were refused; each is said with its place.
+  for (const bool twice : {false, true}) {
+    const ScanFile file({round_tube(0.05)});
+    std::ifstream in(file.spec().scan->surface);
+    std::string text, line, changed;
+    for (int faces = 0; std::getline(in, line);) {
+      const bool chosen = line.starts_with("f ") && ++faces == 60;
+      for (int n = chosen ? (twice ? 2 : 0) : 1; n > 0; --n) changed += line + "\n";
+    }
+    in.close();
+    std::ofstream(file.spec().scan->surface) << changed;
+    ASSERT_EQ(error_of(file.spec()), "no error");
+    const Limb limb = make_limb(file.spec());
+    EXPECT_NEAR(limb.girth(0.2), 2 * pi * 0.05, 5e-4);
+    std::string said;
+    for (const input::Diagnostic& remark : limb.remarks) said += remark.found + "\n";
+    EXPECT_NE(said.find(twice ? "given twice" : "filled"), std::string::npos) << said;
+  }
+}
+
 TEST(Scan, LegsThatMergeBetweenThePlanesAreRefusedWithTheHeight) {
   // A tube that jumps from thigh to hips at 0.2 m.
   const auto hips = [](double turn, double z) {
