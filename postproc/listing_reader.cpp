@@ -350,11 +350,12 @@ std::vector<ListingTable> read_listing(const std::filesystem::path& file) {
   std::vector<ListingTable> tables;
   if (auto results = frd_tables(text, file.string(), diagnostics)) tables = std::move(*results);
   else if (auto records = febio_records(text, file.string(), diagnostics)) tables = std::move(*records);
+  else if (auto report = field_report(text, file.string(), diagnostics)) tables.push_back(std::move(*report));
   else if (auto table = column_table(text, file, diagnostics)) tables.push_back(std::move(*table));
   else tables = parse_listing(text, file.string(), diagnostics);
   if (tables.empty() && !diagnostics.any())
     diagnostics.error({file.string(), 0, 0}, "there is no nodal table in it",
-                      "give a listing with a line such as NODE UX UY UZ USUM over its rows (PRNSOL, PRESOL or NLIST), a table with a column node, a .dat or .frd file of CalculiX (*NODE PRINT, *NODE FILE), or records of FEBio named ux;uy;uz");
+                      "give a listing with a line such as NODE UX UY UZ USUM over its rows (PRNSOL, PRESOL or NLIST), a table with a column node, a .dat or .frd file of CalculiX (*NODE PRINT, *NODE FILE), a report of Abaqus (.rpt) at nodes, or records of FEBio named ux;uy;uz");
   diagnostics.throw_if_any();
   return tables;
 }

@@ -69,6 +69,31 @@ TEST(ListingNumbers, AnOverflownFieldIsNoNumber) {
   EXPECT_EQ(numbers_in("-Infinity"), (Row{-INFINITY}));
 }
 
+TEST(ListingReader, ReportsAndTablesOfAbaqusAndDataFramesAreListings) {
+  // A field output report, its table with the instance and frame before the node, and a data frame whose index has no name: the same rows.
+  const auto read = [](const std::string& text, const char* ending) {
+    const auto file = std::filesystem::temp_directory_path() / ("snug-listing-" + std::to_string(::getpid()) + ending);
+    std::ofstream(file) << text;
+    const auto tables = read_listing(file);
+    std::filesystem::remove(file);
+    return tables.at(0);
+  };
+  const std::string rule(60, '-');
+  const std::string report = "***\nField Output Report, written Mon Nov 30 10:00:00 2026\n\nSource 1\n---------\n\n   Frame: Increment     1: Step Time =    1.000\n\n"
+                             "            Node            U.U1            U.U2\n           Label           @Loc 1           @Loc 1\n" + rule +
+                             "\n               3    -2.500000E-01     0.\n              14     1.00000E+00     1.2E-03\n\n\n  Minimum    -2.500000E-01     0.\n      At Node              3    3\n";
+  for (const ListingTable& table : {read(report, ".rpt"), read("Frame,Instance Name,Node Label,U-U1,U-U2\nIncrement 1,PART-1-1,3,-0.25,0\nIncrement 1,PART-1-1,14,1,0.0012\n", ".csv"),
+                                    read(",UX,UY\n3,-0.25,0\n14,1,0.0012\n", ".csv"), read("node;disp_x;disp_y\n3;-0,25;0\n14;1;0,0012\n", ".csv")}) {
+    EXPECT_EQ(table.labels, (std::vector<std::string>{"UX", "UY"}));
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.rows[1].node, 14);
+    EXPECT_EQ(row_of(table, 0), (Row{-0.25, 0.0}));
+    EXPECT_EQ(row_of(table, 1), (Row{1.0, 0.0012}));
+  }
+  EXPECT_THROW(read("Frame,Node Label,U-U1\nIncrement 1,3,1\nIncrement 2,3,2\n", ".csv"), input::InputError);
+  EXPECT_THROW(read(report + report.substr(report.find("            Node")), ".rpt"), input::InputError);
+}
+
 TEST(ListingReader, AShellsDisplacementsParseCompletely) {
   // Shape of the thesis' first listing (section 4.4.3; the digits are made up): tabs, four rows, rows left out, and the
   // maximum absolute values.
