@@ -29,6 +29,21 @@ TEST_F(Program, SlipsOfUnitsAreWarningsOrErrorsWithWhatWasPerhapsMeant) {
   EXPECT_TRUE(has(loose, "case.toml:") && has(loose, ": warning: ")) << loose.text;
 }
 
+TEST_F(Program, WhatIsSaidBeforeAnErrorIsOftenItsCause) {
+  // Girths in cm under a head in mm: the garment is refused, and the girths are asked about before. A fabric whose sheet has a share for a percentage is asked
+  // about, and so is cloth that the law of Laplace stretches beyond its data.
+  ASSERT_EQ(snug("new mine --like tube-sleeve").status, 0);
+  write("mine/body/tube.csv", "height [mm],girth [mm]\n0,25\n60,26\n");
+  const Outcome small = snug("check mine");
+  EXPECT_EQ(small.status, 2) << small.text;
+  EXPECT_TRUE(has(small, "tube.csv:3:4: warning: girth is up to 0.026 m; is the unit [cm] instead of [mm]?")) << small.text;
+  ASSERT_EQ(snug("new other --like tube-sleeve").status, 0);
+  const std::string sheet = "{ law = \"kes\", LT = 0.8, WT = \"7 gf cm/cm2\", EMT = 0.35, G = \"0.5 gf/(cm degree)\" }";
+  const Outcome share = snug("run other --tier L0 --no-report --set 'garment.fabric=" + sheet + "'");
+  EXPECT_TRUE(has(share, "warning: the curve of the fabric ends at an elongation of 0.35 %") && has(share, "write \"35 %\"")) << share.text;
+  EXPECT_TRUE(has(share, "beyond the 0.35 % up to which there are data")) << share.text;
+}
+
 TEST_F(Program, AFileThatIsNotThereIsNotSaidToBeOutside) {
   // With the case directory as the present one: names of files that do not exist used to be taken for places outside.
   write("case.toml", "title = \"here\"\n[body]\nkind = \"stations\"\nstations = \"calv.csv\"\n");

@@ -172,7 +172,8 @@ FoundCut search_cut(const std::string& directory, const CaseOptions& options, Cu
       return solver::solve(*prepared, [&](const solver::Progress& progress) { line.show(progress); });
     }();
     if (run.status != postproc::Status::converged) {
-      console.error(fmt::format("{}: error: solution {} ({}) does not converge: {}", (fs::path(directory) / "case.toml").string(), round, cut.text(*prepared), run.message));
+      console.error(fmt::format("{}: error: solution {} ({}) does not converge: {}; want less, hold an edge (garment.held), or take a graduated tube and a stiffer knit, of which the limb stretches less",
+                                (fs::path(directory) / "case.toml").string(), round, cut.text(*prepared), run.message));
       best.status = not_converged;
       break;
     }
