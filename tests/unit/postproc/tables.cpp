@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "cases/input/csv.hpp"
 #include "postproc/recorders.hpp"
@@ -106,6 +109,31 @@ TEST(Listing, CoordinatesParseBack) {
   ASSERT_EQ(rows.size(), body.nodes.size());
   for (std::size_t n = 0; n < rows.size(); ++n)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(rows[n][1 + c], body.nodes[n][c], 1e-6);
+}
+
+TEST(SkinTable, PressuresStandInPascalsAndInMillimetresOfMercury) {
+  // The last column of every row is its column pressure [Pa] over 133.322 Pa.
+  std::ostringstream out;
+  write_skin(out, test::body_scene());
+  std::istringstream lines(out.str());
+  std::string line;
+  std::getline(lines, line);
+  const auto cells = [](const std::string& text) {
+    std::vector<std::string> result;
+    std::istringstream row(text);
+    for (std::string cell; std::getline(row, cell, ',');) result.push_back(cell);
+    return result;
+  };
+  const std::vector<std::string> head = cells(line);
+  ASSERT_EQ(head.back(), "pressure [mmHg]") << line;
+  const auto pascals = std::find(head.begin(), head.end(), "pressure [Pa]") - head.begin();
+  int rows = 0;
+  for (; std::getline(lines, line); ++rows) {
+    const std::vector<std::string> row = cells(line);
+    ASSERT_EQ(row.size(), head.size()) << line;
+    EXPECT_NEAR(std::stod(row.back()), std::stod(row.at(static_cast<std::size_t>(pascals))) / 133.322387415, 1e-4) << line;
+  }
+  EXPECT_GT(rows, 3);
 }
 
 TEST(Stress, InvariantsOfKnownStates) {
