@@ -15,7 +15,7 @@ namespace {
 NewtonSettings increment_settings(const PathSettings& path, bool last, int failures) {
   NewtonSettings settings = path.newton;
   settings.recut = last || path.exact;
-  settings.minimum = last && path.minimum;
+  settings.minimum = (last || path.exact) && path.minimum;
   if (!last && !path.exact) {
     settings.residual = path.intermediate_residual;
     settings.complementarity = 1e-2;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solver/stepping/acceleration.hpp"
+
 namespace snug::solver {
 
 std::string to_string(Outcome outcome) {
@@ -84,6 +86,10 @@ constexpr double on_the_way = 1e-6;
 constexpr double long_solve = 1e-5;
 // Reduction of the residual by a step of Newton's method that converges quadratically.
 constexpr double fast = 0.1;
+// Steps in a row that bring the residual down by less, near the answer, are worth mixing: the frames of friction are followed, not
+// solved for, and along one slow motion that contracts by 0.8 an iteration (a bent knee). One alone is mostly a corner that sticks or slips.
+constexpr double slow = 0.5;
+constexpr int worth_mixing = 3;
 // Reduction by a step of an iteration that is let go on for as long as it does.
 constexpr double comes_to_rest = 0.5;
 
@@ -194,11 +200,15 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   bool convex_factor = false;  // the last factor was of this increment's convex tangent, and of a minimum; a run that is resumed has none of an increment before
   bool in_place = true, cut = !settings.recut || !scene.renews_near_answer();
   const bool downhill = !scene.bends(), constrained = scene.saddle_rows() > 0;
+  Acceleration acceleration(scene.layout().positions());
+  bool mixed = false;  // the last step was
+  int slow_steps = 0;
   const bool damped = (scene.bends() || constrained) && scene.damped();  // without a proximal term a step would be the same again
   for (int iteration = 0;; ++iteration) {
     Check now = check(scene, state, settings);
     if (!cut && now.residual < near && now.measure.changed == 0) {
       cut = true;
+      acceleration.forget();
       scene.renew(state);
       scene.update(state);
       if (!scene.assemble(state, Tangent::full)) return Outcome::inadmissible;
@@ -242,6 +252,12 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (report.refactored) convex_factor = !full && kind(report, scene) == Stationary::minimum;
     if (report.refactored) known = condensed_before < near && full ? kind(report, scene) : Stationary::unknown;
     row.event = report.refactored ? "" : "lagged";
+    const bool steady = in_place && now.measure.changed == 0 && now.condensed < near && row.step == 1.0;
+    if (!steady || (mixed && reduction > 1.0)) acceleration.forget();
+    if (steady) acceleration.see(state.values, step);
+    slow_steps = steady && reduction > slow ? slow_steps + 1 : 0;
+    mixed = steady && (mixed ? reduction > fast : slow_steps >= worth_mixing);
+    if (mixed) step = acceleration.mixed(step);
     row.step = scene.step_bound(state, step);
     const bool moved = downhill && in_place ? descend(scene, state, step, now.round_off, row.step) : move(scene, state, step, row.step);
     if (!moved) return Outcome::inadmissible;
