@@ -73,7 +73,7 @@ void write_skin(std::ostream& out, const BodyResult& body) {
   const std::vector<double>*pressure = body.fields.find(field::contact_pressure), *coverage = body.fields.find(field::coverage);
   const std::vector<double>*slip = body.fields.find(field::slip), *hem = body.fields.find(field::hem);
   out << "node,x [m],y [m],z [m],ux [m],uy [m],uz [m]" << (pressure ? ",pressure [Pa],coverage" : "")
-      << (shear ? ",shear x [Pa],shear y [Pa],shear z [Pa],slip" : "") << (hem ? ",hem" : "") << (pressure ? ",pressure [mmHg]\n" : "\n");
+      << (shear ? ",shear x [Pa],shear y [Pa],shear z [Pa],slip" : "") << (hem ? ",hem" : "") << (pressure ? ",pressure_mmHg\n" : "\n");
   for (std::size_t n = 0; n < body.nodes.size(); ++n) {
     if (!skin[n]) continue;
     const Eigen::Vector3d &x = body.nodes[n], &u = displacement[n];

@@ -125,7 +125,7 @@ TEST(SkinTable, PressuresStandInPascalsAndInMillimetresOfMercury) {
     return result;
   };
   const std::vector<std::string> head = cells(line);
-  ASSERT_EQ(head.back(), "pressure [mmHg]") << line;
+  ASSERT_EQ(head.back(), "pressure_mmHg") << line;
   const auto pascals = std::find(head.begin(), head.end(), "pressure [Pa]") - head.begin();
   int rows = 0;
   for (; std::getline(lines, line); ++rows) {
