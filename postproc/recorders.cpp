@@ -48,10 +48,11 @@ void nodes(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_listing(out, node_listing(record.run.body)); });
 }
 void locations(const Record& record, const Path& file) {
-  write_text(file, [&](std::ostream& out) { write_locations(out, record.evaluation); });
+  write_text(file, [&](std::ostream& out) { write_locations(out, record.evaluation, record.csv); });
 }
 void skin(const Record& record, const Path& file) {
-  write_text(file, [&](std::ostream& out) { write_skin(out, record.run.body); });
+  const report::SkinChart chart = report::skin_chart(report::skin_of(*record.stored.body_grid, record.stored.skin_nodes));
+  write_text(file, [&](std::ostream& out) { write_skin(out, record.run.body, chart, record.csv); });
 }
 void comfort(const Record& record, const Path& file) {
   input::write_file(file, text_of(record.stored.comfort));
@@ -60,10 +61,10 @@ void history(const Record& record, const Path& file) {
   write_text(file, [&](std::ostream& out) { write_history(out, record.run); });
 }
 void tools(const Record& record, const Path& file) {
-  write_text(file, [&](std::ostream& out) { write_tools(out, record.run); });
+  write_text(file, [&](std::ostream& out) { write_tools(out, record.run, record.csv); });
 }
 void movement(const Record& record, const Path& file) {
-  write_text(file, [&](std::ostream& out) { write_movement(out, record.run, record.evaluation); });
+  write_text(file, [&](std::ostream& out) { write_movement(out, record.run, record.evaluation, record.csv); });
 }
 void summary(const Record& record, const Path& file) {
   input::write_file(file, text_of(record.stored.summary));
@@ -92,9 +93,9 @@ const std::vector<Recorder>& recorders() {
   return list;
 }
 
-void write_results(const RunResult& run, const Evaluation& evaluation, const StoredRun& stored, const Path& out) {
+void write_results(const RunResult& run, const Evaluation& evaluation, const StoredRun& stored, const Path& out, CsvStyle csv) {
   std::filesystem::create_directories(out);
-  const Record record{run, evaluation, stored};
+  const Record record{run, evaluation, stored, csv};
   for (const Recorder& recorder : recorders()) write_one(recorder, record, out);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "postproc/csv_writer.hpp"
 #include "postproc/evaluate.hpp"
 #include "postproc/result.hpp"
 #include "postproc/summary.hpp"
@@ -18,6 +19,7 @@ struct Record {
   const RunResult& run;
   const Evaluation& evaluation;
   const StoredRun& stored;  ///< what store.hpp reads back: its recorders write it as it stands
+  CsvStyle csv = CsvStyle::comma;  ///< of the tables for people; history.csv is for programs
 };
 
 struct Recorder {
@@ -35,6 +37,7 @@ const std::vector<Recorder>& recorders();
 void write_results(const RunResult& run, const Evaluation& evaluation, const std::filesystem::path& out,
                    const Provenance& provenance = {});
 /// The same where `stored` is made already (store.hpp).
-void write_results(const RunResult& run, const Evaluation& evaluation, const StoredRun& stored, const std::filesystem::path& out);
+void write_results(const RunResult& run, const Evaluation& evaluation, const StoredRun& stored, const std::filesystem::path& out,
+                   CsvStyle csv = CsvStyle::comma);
 
 }  // namespace snug::postproc

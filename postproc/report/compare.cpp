@@ -6,12 +6,12 @@
 #include <map>
 #include <sstream>
 
+#include "postproc/csv_writer.hpp"
 #include "postproc/report/assets.hpp"
 #include "postproc/report/compare_rows.hpp"
 #include "postproc/report/page.hpp"
 #include "postproc/report/template.hpp"
 #include "postproc/report/view.hpp"
-#include "postproc/tables.hpp"
 
 namespace snug::postproc::report {
 
@@ -162,21 +162,26 @@ std::string comparison_page(const Comparison& comparison) try {
   throw not_as_written(comparison.runs.front().out, error);
 }
 
-std::string comparison_table(const Comparison& comparison) try {
+std::string comparison_table(const Comparison& comparison, CsvStyle style) try {
   const Runs runs = read_runs(comparison);
   const std::vector<std::string> locations = compared_location_names(runs);
   const bool values = !comparison.values.empty();
-  std::string text = csv_cell(values ? comparison.axis : "run") + ",status,mean_contact_pressure_Pa,max_contact_pressure_Pa,comfort";
-  for (const std::string& name : locations) text += "," + csv_cell(name + " [Pa]");
-  const auto cell = [&](double value) { text += std::isfinite(value) ? fmt::format(",{:.6g}", value) : ","; };
+  std::ostringstream text;
+  CsvWriter csv(text, style);
+  csv.text(values ? comparison.axis : "run").columns("status,mean_contact_pressure_Pa,max_contact_pressure_Pa,comfort");
+  for (const std::string& name : locations) csv.text(name + " [Pa]");
+  csv.end_row();
+  const auto cell = [&](double value) { std::isfinite(value) ? csv.number(value) : csv.empty(); };
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const Json numbers = runs[r].summary.value("numbers", Json::object()), comfort = runs[r].summary.value("comfort", Json());
-    text += "\n" + (values ? fmt::format("{:.9g}", comparison.values[r]) : csv_cell(runs[r].name)) + "," + csv_cell(runs[r].summary.value("status", ""));
+    values ? csv.number(comparison.values[r], 9) : csv.text(runs[r].name);
+    csv.text(runs[r].summary.value("status", ""));
     cell(value_at(numbers, "mean_contact_pressure_Pa")), cell(value_at(numbers, "max_contact_pressure_Pa"));
     cell(comfort.is_object() ? value_at(comfort, "score") : std::nan(""));
     for (const std::string& name : locations) cell(location_pressure(runs[r], name));
+    csv.end_row();
   }
-  return text + "\n";
+  return text.str();
 } catch (const Json::exception& error) {
   throw not_as_written(comparison.runs.front().out, error);
 }

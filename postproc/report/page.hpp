@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "postproc/csv_writer.hpp"
+
 namespace snug::postproc {
 struct StoredRun;
 }
@@ -47,7 +49,7 @@ std::string comparison_page(const std::vector<std::filesystem::path>& outs);
 std::string comparison_page(const Comparison& comparison);
 
 /// The same as a table for spreadsheets, a row a run: its value or name, status, mean and largest pressure, comfort, locations, sensors (SI).
-std::string comparison_table(const Comparison& comparison);
+std::string comparison_table(const Comparison& comparison, CsvStyle style = CsvStyle::comma);
 
 /// One line of a specification: as printed, with its source.
 struct ProjectItem {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "postproc/report/limbs.hpp"
+#include "postproc/report/skin_chart.hpp"
 
 namespace snug::postproc::report {
 
@@ -18,120 +18,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Nodes in the map's own coordinates: angle (deg) and height (m) of a tube, two lengths (m) of a flat skin.
-struct Chart {
-  std::vector<Vector2d> at;
-  std::vector<double> angle;  ///< deg, round the middle of the tube or of the node's own limb
-  std::vector<int> limb;      ///< limbs.hpp; two limbs have half the width each
-  bool tube = true;
-  double girth = 1.0;  ///< m, mean
-};
-
-Vector3d area_vector(const Skin& skin, const Triangle& t) {
-  return 0.5 * (skin.nodes[t[1]] - skin.nodes[t[0]]).cross(skin.nodes[t[2]] - skin.nodes[t[0]]);
-}
-
-/// Columns: two directions across and the axis. A tube's normals are across its axis, and they cancel; a flat skin's
-/// normals are its third direction.
-struct Frame {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  bool tube = true;
-};
-
-Frame frame_of(const Skin& skin) {
-  Vector3d sum = Vector3d::Zero();
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  double area = 0.0;
-  for (const Triangle& t : skin.triangles) {
-    const Vector3d a = area_vector(skin, t);
-    if (!(a.norm() > 0.0)) continue;
-    sum += a, area += a.norm();
-    spread += a * a.transpose() / a.norm();
-  }
-  Frame frame;
-  frame.tube = sum.norm() < 0.5 * area;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  const bool upright = frame.tube ? spread(2, 2) < 0.25 * area : std::abs(sum.z()) > 0.9 * sum.norm();
-  if (upright) return frame;  // the usual frame: x to the side, y to the front, z up
-  const Vector3d third = frame.tube ? Vector3d(solver.eigenvectors().col(0)) : sum.normalized();
-  const Vector3d helper = std::abs(third.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitX();
-  const Vector3d first = helper.cross(third).normalized();
-  frame.axes << first, third.cross(first), third;
-  return frame;
-}
-
-/// Middle of the skin at a height, from slices along the axis, linear between their middles.
-class CentreLine {
- public:
-  CentreLine(const std::vector<Vector3d>& nodes, const std::vector<Triangle>& triangles) {
-    const auto [low, high] =
-        std::minmax_element(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.z() < b.z(); });
-    low_ = low->z(), height_ = std::max(high->z() - low_, 1e-12);
-    std::vector<double> weight(slices, 0.0);
-    for (const Triangle& t : triangles) {
-      const Vector3d middle = (nodes[t[0]] + nodes[t[1]] + nodes[t[2]]) / 3.0;
-      const double area = (nodes[t[1]] - nodes[t[0]]).cross(nodes[t[2]] - nodes[t[0]]).norm();
-      const auto slice =
-          static_cast<std::size_t>(std::clamp((middle.z() - low_) / height_ * slices, 0.0, slices - 0.5));
-      sums_[slice] += area * middle, weight[slice] += area;
-    }
-    for (std::size_t s = 0; s < slices; ++s)
-      if (weight[s] > 0.0) middles_.push_back(sums_[s] / weight[s]);
-  }
-
-  Vector2d at(double z) const {
-    if (middles_.empty()) return Vector2d::Zero();
-    if (z <= middles_.front().z()) return middles_.front().head<2>();
-    for (std::size_t i = 0; i + 1 < middles_.size(); ++i) {
-      const Vector3d &a = middles_[i], &b = middles_[i + 1];
-      if (z <= b.z()) return (a + (b - a) * ((z - a.z()) / std::max(b.z() - a.z(), 1e-12))).head<2>();
-    }
-    return middles_.back().head<2>();
-  }
-
- private:
-  static constexpr std::size_t slices = 24;
-  double low_ = 0.0, height_ = 1.0;
-  std::vector<Vector3d> sums_ = std::vector<Vector3d>(slices, Vector3d::Zero()), middles_;
-};
-
-double wrapped(double angle, double from) { return angle - 360.0 * std::floor((angle - from) / 360.0); }
-
-/// Limbs are slit on their inner sides and laid out with their outer sides below those of the trunk, half as wide: front at 45 and 135 deg.
-double on_map(double angle, int limb) { return limb == 0 ? angle : limb == 1 ? 0.5 * angle : 90.0 + 0.5 * wrapped(angle, 0.0); }
-
-Chart chart_of(const Skin& skin) {
-  const Frame frame = frame_of(skin);
-  std::vector<Vector3d> nodes;
-  for (const Vector3d& x : skin.nodes) nodes.push_back(frame.axes.transpose() * x);
-  Chart chart;
-  chart.tube = frame.tube;
-  if (!chart.tube) {
-    for (const Vector3d& x : nodes) chart.at.push_back(x.head<2>());
-    return chart;
-  }
-  chart.limb = limbs_of(nodes, skin.triangles);
-  const auto line = [&](int limb) {
-    std::vector<Triangle> own;
-    for (const Triangle& t : skin.triangles)
-      if (limb == 0 || (chart.limb[t[0]] == limb && chart.limb[t[1]] == limb && chart.limb[t[2]] == limb)) own.push_back(t);
-    return CentreLine(nodes, own);
-  };
-  const std::array<CentreLine, 3> centre = {line(0), line(1), line(2)};
-  double radii = 0.0;
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const Vector2d across = nodes[n].head<2>() - centre[chart.limb[n]].at(nodes[n].z());
-    radii += across.norm();
-    chart.angle.push_back(std::atan2(across.y(), across.x()) * 180.0 / std::numbers::pi);
-    chart.at.emplace_back(on_map(chart.angle.back(), chart.limb[n]), nodes[n].z());
-  }
-  chart.girth = 2.0 * std::numbers::pi * radii / static_cast<double>(nodes.size());
-  return chart;
-}
-
 /// The angle, a multiple of 15 deg, at which a cut divides the fewest triangles of one location (it lies on both sides)
 /// and touches the fewest of any; the back if all are alike.
-double best_cut(const Skin& skin, const Chart& chart) {
+double best_cut(const Skin& skin, const SkinChart& chart) {
   double reach = 15.0;  // deg; what lies nearer to the cut touches it
   for (const Triangle& t : skin.triangles)
     for (const int i : {1, 2}) {
@@ -171,7 +60,7 @@ struct Drawing {
 
 class Drawer {
  public:
-  Drawer(const Skin& skin, const Chart& chart, double width) : chart_(chart) {
+  Drawer(const Skin& skin, const SkinChart& chart, double width) : chart_(chart) {
     double low = 1e300, high = -1e300, left = 1e300, right = -1e300;
     for (const Vector2d& at : chart.at) {
       low = std::min(low, at.y()), high = std::max(high, at.y());
@@ -293,7 +182,7 @@ class Drawer {
     drawing.sheet.triangles.push_back(triangle);
   }
 
-  const Chart& chart_;
+  const SkinChart& chart_;
   double from_ = 0.0, low_ = 0.0, high_ = 0.0, across_ = 1.0, along_ = 1.0, width_ = 0.0, height_ = 0.0;
 };
 
@@ -320,7 +209,7 @@ std::vector<MapPatch> patches(const Skin& skin, const Drawing& drawing, const Dr
 }  // namespace
 
 UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
-  const Chart chart = chart_of(skin);
+  const SkinChart chart = skin_chart(skin);
   const Drawer drawer(skin, chart, width);
   const Drawing drawing = drawer.draw(skin);
   UnrolledMap map;

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 
+#include "cases/input/choice.hpp"
 #include "cases/input/echo.hpp"
 #include "cases/input/files.hpp"
 #include "solver/app/hash.hpp"
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view first_line = "snug checkpoint 1\n";
+constexpr std::string_view first_line = "snug checkpoint 2\n";
 
 template <class T>
 std::string_view bytes_of(const std::vector<T>& list) {
@@ -46,7 +48,7 @@ Checkpoint::Checkpoint(const fs::path& target, double interval) : file_((target 
 
 bool Checkpoint::there() const { return fs::exists(file_); }
 
-solver::Journal Checkpoint::read(const PreparedCase& prepared) const {
+Unfinished Checkpoint::read(const PreparedCase& prepared) const {
   const auto wrong = [&](const std::string& what, const std::string& remedy) { return input::InputError({file_.string(), 0, 0}, what, remedy); };
   const std::string whole = input::read_file(file_, {.missing = "run without --resume"});
   const std::string_view text = whole;
@@ -57,17 +59,20 @@ solver::Journal Checkpoint::read(const PreparedCase& prepared) const {
   if (text.substr(first_line.size(), hash_length) != identity_of(prepared))
     throw wrong("the case, its meshes, the program or the number of ranks is another than that of the checkpoint",
                 "put back what the run began with, or run from the beginning, without --resume");
+  const std::size_t end = std::min(text.find('\n', head), text.size() - hash_length);
+  const auto csv = input::choice_of<postproc::CsvStyle>(std::string(text.substr(head, end - head)));
+  if (!csv) throw wrong("the checkpoint does not say how its tables are written", "run from the beginning, without --resume");
   try {
-    return solver::Journal::of_bytes(text.substr(head, text.size() - head - hash_length));
+    return {solver::Journal::of_bytes(text.substr(end + 1, text.size() - hash_length - end - 1)), *csv};
   } catch (const std::runtime_error& error) {
     throw wrong(std::string("the checkpoint cannot be read: ") + error.what(), "run from the beginning, without --resume");
   }
 }
 
-void Checkpoint::keep(const solver::Journal& journal, const PreparedCase& prepared, const fs::path& aside) {
+void Checkpoint::keep(const solver::Journal& journal, postproc::CsvStyle csv, const PreparedCase& prepared, const fs::path& aside) {
   if (std::chrono::duration<double>(Clock::now() - last_).count() < interval_) return;
   try {
-    std::string text = std::string(first_line) + identity_of(prepared) + journal.bytes();
+    std::string text = std::string(first_line) + identity_of(prepared) + input::text_of(csv) + "\n" + journal.bytes();
     text += hash_line(text);
     input::write_file(aside / "checkpoint", text);
     fs::rename(aside / "checkpoint", file_);

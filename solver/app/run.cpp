@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "cases/input/choice.hpp"
 #include "cases/input/echo.hpp"
 #include "cases/input/files.hpp"
 #include "postproc/recorders.hpp"
@@ -47,9 +48,9 @@ void warn_of_slow_blas(Console& console) {
 
 /// Writes the results and gives what was written.
 postproc::StoredRun write_all(const postproc::RunResult& run, const postproc::Evaluation& evaluation, const PreparedCase& prepared,
-                              OutputDirectory& out) {
+                              OutputDirectory& out, postproc::CsvStyle csv) {
   postproc::StoredRun stored = postproc::stored_run(run, evaluation, provenance_of(prepared), out.target());
-  postproc::write_results(run, evaluation, stored, out.aside());
+  postproc::write_results(run, evaluation, stored, out.aside(), csv);
   stored.echo = solver::echo_text(prepared.model) + input::echo_text(prepared.jobs);
   input::write_file(out.aside() / "case.echo.toml", stored.echo);
   return stored;
@@ -87,6 +88,9 @@ class Run : public Command {
                    "keep the states of the load path, each stage in so many steps at least, for "
                    "`snug animate` (the path is then walked instead of jumped: slower)")
         ->check(CLI::Range(1, 1000));
+    app.add_option("--csv", csv_, "cells of skin.csv, locations.csv, comfort.csv, tool.csv and sweep.csv are separated by: comma; semicolon, with decimal commas; tab (comma)")
+        ->type_name("SEPARATOR")
+        ->check(CLI::IsMember(input::choices_of<postproc::CsvStyle>()));
     app.add_flag("--resume", resume_, "go on from where a run was stopped or killed, by the checkpoint out.checkpoint beside its results");
     recording_.declare(app);
     app.add_option("--checkpoint", interval_, "seconds between checkpoints, and before the first, so that short runs write none (60)")
@@ -127,14 +131,17 @@ class Run : public Command {
  private:
   /// Options of every run of several.
   BatchRequest batch_request() const {
-    BatchRequest request{.directories = directories_, .options = options_, .out = out_, .sweeps = sweeps_, .variants = variants_, .words = {}, .ranks = ranks_, .jobs = jobs_, .quiet = quiet_, .page = !no_report_};
+    BatchRequest request{.directories = directories_, .options = options_, .out = out_, .sweeps = sweeps_, .variants = variants_, .words = {}, .ranks = ranks_, .jobs = jobs_, .quiet = quiet_, .page = !no_report_, .csv = csv_style().value_or(postproc::CsvStyle::comma)};
     const auto pass = [&](bool given, std::initializer_list<std::string> words) {
       if (given) request.words.insert(request.words.end(), words);
     };
     pass(pictures_, {"--pictures"}), pass(no_report_, {"--no-report"});
-    pass(states_ > 0, {"--states", std::to_string(states_)}), pass(resume_, {"--resume"}), pass(interval_ != 60.0, {"--checkpoint", std::to_string(interval_)});
+    pass(!csv_.empty(), {"--csv", csv_}), pass(states_ > 0, {"--states", std::to_string(states_)}), pass(resume_, {"--resume"}), pass(interval_ != 60.0, {"--checkpoint", std::to_string(interval_)});
     return request;
   }
+
+  /// What --csv asks for.
+  std::optional<postproc::CsvStyle> csv_style() const { return input::choice_of<postproc::CsvStyle>(csv_); }
 
   int chosen_ranks() const {
     return mpirun_is_there() ? solver::usual_ranks(options_.read(directories_.front()), std::thread::hardware_concurrency(), solver::memory_of_machine()) : 1;
@@ -225,9 +232,11 @@ class Run : public Command {
     StateFiles states;
     gave_up_ = false;
     Checkpoint checkpoint(target, interval_);
-    solver::Journal journal = recall(checkpoint, prepared);
+    Unfinished unfinished = recall(checkpoint, prepared);
+    solver::Journal& journal = unfinished.journal;
+    unfinished.csv = csv_style().value_or(unfinished.csv);
     if (writes_ && states_ == 0)
-      journal.on_change([&](const solver::Journal& now) { checkpoint.keep(now, prepared, out.aside()); });
+      journal.on_change([&](const solver::Journal& now) { checkpoint.keep(now, unfinished.csv, prepared, out.aside()); });
     postproc::RunResult run = solve(prepared, states, out, states_ == 0 ? &journal : nullptr);
     if (!writes_) return run.status == postproc::Status::converged ? done : not_converged;
     const bool nothing = run.status == postproc::Status::failed && (!gave_up_ || run.increments == 0);
@@ -240,7 +249,7 @@ class Run : public Command {
     const auto evaluation = nothing
                                 ? postproc::Evaluation{}
                                 : solver::evaluate(prepared, run);
-    postproc::StoredRun stored = write_all(run, evaluation, prepared, out);
+    postproc::StoredRun stored = write_all(run, evaluation, prepared, out, unfinished.csv);
     states.list(out.aside());
     const int regression = nothing ? done : regress(references, stored, out);
     if (!no_report_) report(stored, out);
@@ -254,7 +263,7 @@ class Run : public Command {
   }
 
   /// What an earlier run has reached, if it is to be gone on from.
-  solver::Journal recall(const Checkpoint& checkpoint, const PreparedCase& prepared) const {
+  Unfinished recall(const Checkpoint& checkpoint, const PreparedCase& prepared) const {
     if (resume_ && checkpoint.there()) return checkpoint.read(prepared);
     if (resume_) say(fmt::format("there is no {}: from the beginning\n", checkpoint.file().string()));
     if (!resume_ && checkpoint.there())
@@ -313,7 +322,7 @@ class Run : public Command {
   std::vector<std::string> directories_;
   CaseOptions options_;
   RecordingOptions recording_;
-  std::string out_, status_file_;
+  std::string out_, csv_, status_file_;
   std::vector<std::string> variants_, sweeps_;
   std::vector<std::size_t> rank_widths_ = {0, 0};  ///< of standard output and error, 0: no terminal
   int ranks_ = 0, states_ = 0, jobs_ = 0;  // no ranks given: 0

@@ -15,9 +15,10 @@ class Resumed : public Attack {
     ASSERT_EQ(snug("new mine --like thigh-sleeve").status, 0);
   }
   /// Ends a run by the signal once it has left a checkpoint of so many bytes at least, which grows by every step.
-  int ended_by(int signal, std::uintmax_t bytes = 1) const {
+  int ended_by(int signal, std::uintmax_t bytes = 1, const std::vector<std::string>& more = {}) const {
     std::vector<std::string> words = {"run", "mine", "--no-report", "--checkpoint", "0"};
     for (const std::string& word : mesh_) words.push_back(word);
+    words.insert(words.end(), more.begin(), more.end());
     const pid_t run = start(words);
     EXPECT_TRUE(eventually([&] {
       std::error_code none;
@@ -46,6 +47,19 @@ TEST_F(Resumed, AKilledRunGoesOnToTheSameBytes) {
   ASSERT_EQ(ended_by(SIGKILL, first + 1), 137);
   ASSERT_EQ(run(" --quiet --resume").status, 0);
   EXPECT_EQ(tables("mine/out"), expected);
+}
+
+TEST_F(Resumed, TablesStayAsTheRunBeganThem) {
+  // Begun with decimal commas, killed, and gone on from without a word of them, a run writes them; a word of another style counts.
+  ASSERT_EQ(run(" --quiet --csv semicolon --out mine/plain").status, 0);
+  const auto expected = tables("mine/plain");
+  ASSERT_EQ(ended_by(SIGKILL, 1, {"--csv", "semicolon"}), 137);
+  ASSERT_EQ(run(" --quiet --resume").status, 0);
+  EXPECT_EQ(tables("mine/out"), expected);
+  EXPECT_EQ(text("mine/out/skin.csv").find("node;x [m];"), 0u);
+  ASSERT_EQ(ended_by(SIGKILL, 1, {"--csv", "semicolon"}), 137);
+  ASSERT_EQ(run(" --quiet --resume --csv tab").status, 0);
+  EXPECT_EQ(text("mine/out/skin.csv").find("node\tx [m]\t"), 0u);
 }
 
 TEST_F(Resumed, AStoppedRunSaysHowItGoesOn) {

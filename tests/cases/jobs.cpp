@@ -144,6 +144,35 @@ TEST_F(JobsProgram, ASweepHasAPlotAndATable) {
   }
 }
 
+TEST_F(JobsProgram, TablesComeWithTheSeparatorThatIsAskedFor) {
+  // Decimal commas in every run of a sweep and its table; report, comparison and score read what comes out as they do the default, and other words are refused.
+  write_forearm();
+  const std::string sweep = "run forearm --tier L0 --quiet --sweep 'garment.pattern.flat_circumference=160.5 mm:180 mm:2' ";
+  ASSERT_EQ(snug(sweep + "--out plain").status, 0);
+  const Outcome scored = snug("score plain/flat_circumference=160.5-mm/locations.csv");
+  for (const std::string style : {"semicolon", "tab"}) {
+    const std::string separator = style == "tab" ? "\t" : ";";
+    ASSERT_EQ(snug(sweep + "--csv " + style + " --out " + style).status, 0);
+    EXPECT_THAT(read(style + "/sweep.csv"), HasSubstr("\n160" + std::string(style == "tab" ? "." : ",") + "5" + separator + "converged" + separator));
+    int runs = 0;
+    for (const auto& entry : fs::directory_iterator(folder_ / style)) {
+      if (!entry.is_directory()) continue;
+      const std::string out = style + "/" + entry.path().filename().string(), name = entry.path().filename().string();
+      ++runs;
+      EXPECT_THAT(read(out + "/skin.csv"), testing::StartsWith("node" + separator + "x [m]" + separator));
+      EXPECT_THAT(read(out + "/skin.csv"), HasSubstr(separator + "angle [deg]" + separator + "height [mm]\n"));
+      EXPECT_EQ(snug("report " + out).status, 0);
+      EXPECT_EQ(snug("score " + out + "/locations.csv").text.substr(0, 0), "");
+      const Outcome same = snug("compare " + out + "/skin.csv plain/" + name + "/skin.csv");
+      EXPECT_EQ(same.status, 0) << same.text;
+    }
+    EXPECT_EQ(runs, 2);
+  }
+  const Outcome wrong = snug("run forearm --csv pipe");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.text, HasSubstr("semicolon"));
+}
+
 TEST_F(JobsProgram, ASensorOnAnEvenPressureReadsIt) {
   // The sleeve on the soft tube presses with 6202.6 Pa everywhere (reference book 1.6 C), so does the sensor read, wherever it lies; one that is not on the
   // skin is told before the solve.

@@ -206,7 +206,7 @@ void write_pages(const std::vector<Job>& jobs, const BatchRequest& request, cons
   console.document()["page"] = (folder / "compare.html").string();
   if (!request.quiet) console.print("side by side: {}\n", (folder / "compare.html").string());
   if (sweeps.empty()) return;
-  write_page(postproc::report::comparison_table(comparison), folder / "sweep.csv");
+  write_page(postproc::report::comparison_table(comparison, request.csv), folder / "sweep.csv");
   console.document()["table"] = (folder / "sweep.csv").string();
   if (!request.quiet) console.print("as a table: {}\n", (folder / "sweep.csv").string());
 }

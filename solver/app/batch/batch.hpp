@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "postproc/csv_writer.hpp"
 #include "solver/app/case_options.hpp"
 #include "solver/app/console.hpp"
 
@@ -21,6 +22,7 @@ struct BatchRequest {
   int ranks = 0;                     ///< of each; 0: one where they run side by side, else as the run chooses
   int jobs = 0;                      ///< at a time; 0: as many as there are cores for them
   bool quiet = false, page = true;
+  postproc::CsvStyle csv = postproc::CsvStyle::comma;  ///< of sweep.csv
 
   /// True where one case is run with other values: variants or a sweep. What is wrong with the case is not said here.
   bool varies() const;

@@ -114,7 +114,7 @@ TEST(Listing, CoordinatesParseBack) {
 TEST(SkinTable, PressuresStandInPascalsAndInMillimetresOfMercury) {
   // The last column of every row is its column pressure [Pa] over 133.322 Pa.
   std::ostringstream out;
-  write_skin(out, test::body_scene());
+  write_skin(out, test::body_scene(), {});
   std::istringstream lines(out.str());
   std::string line;
   std::getline(lines, line);
