@@ -335,7 +335,7 @@ LinearReport LinearSolver::solve(SparseScatter& scatter, const Eigen::VectorXd& 
     report.solve_seconds += lap();
   };
   if (!report.ok) refactor();
-  if (!report.ok && one_way && p.inverse) {  // without it
+  if (!report.ok && one_way && p.analysed) {  // without it
     p.product.renew(p.rows, p.scale, nullptr);
     report.ok = p.iterate({std::max(exact, lag.tolerance), nearly_exact, fresh_iterations}, report.iterations);
     p.factored = report.ok;

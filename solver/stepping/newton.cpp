@@ -86,8 +86,9 @@ constexpr double on_the_way = 1e-6;
 constexpr double long_solve = 1e-5;
 // Reduction of the residual by a step of Newton's method that converges quadratically.
 constexpr double fast = 0.1;
-// Steps in a row that bring the residual down by less, near the answer, are worth mixing: the frames of friction are followed, not
-// solved for, and along one slow motion that contracts by 0.8 an iteration (a bent knee). One alone is mostly a corner that sticks or slips.
+// Steps in a row that bring the residual down by less, near the answer, are worth mixing: frames of friction are followed, not solved for,
+// and the convex part of a tangent is not the tangent (a knee bent by 45 degrees: 0.79 an iteration along one motion). One slow step
+// alone is mostly a corner that sticks or slips.
 constexpr double slow = 0.5;
 constexpr int worth_mixing = 3;
 // Reduction by a step of an iteration that is let go on for as long as it does.
