@@ -11,9 +11,9 @@ std::string without_formula(const std::string& text) {
   return formula ? "'" + text : text;
 }
 
-std::string csv_cell(const std::string& given) {
+std::string csv_cell(const std::string& given, std::string_view separators) {
   const std::string text = without_formula(given);
-  if (text.find_first_of(",;\t\"\n\r") == std::string::npos) return text;
+  if (text.find_first_of("\"\n\r") == std::string::npos && text.find_first_of(separators) == std::string::npos) return text;
   std::string quoted = "\"";
   for (char c : text) {
     if (c == '"') quoted += '"';
@@ -34,7 +34,7 @@ CsvWriter& CsvWriter::columns(std::string_view names) {
   }
 }
 
-CsvWriter& CsvWriter::text(const std::string& text) { return cell(csv_cell(text)); }
+CsvWriter& CsvWriter::text(const std::string& text) { return cell(csv_cell(text, ",;\t")); }
 CsvWriter& CsvWriter::number(double value, int digits) { return decimal(fmt::format("{:.{}g}", value, digits)); }
 CsvWriter& CsvWriter::fixed(double value, int places) { return decimal(fmt::format("{:.{}f}", value, places)); }
 

@@ -15,8 +15,9 @@ constexpr auto texts_of(CsvStyle) { return std::array{"comma", "semicolon", "tab
 /// `text` behind an apostrophe where a spreadsheet would take it for a formula and run it (it begins with = + - @).
 std::string without_formula(const std::string& text);
 
-/// `text` without a formula, in quotes where a separator of any style, a quote or a line end in it asks for them.
-std::string csv_cell(const std::string& text);
+/// `text` without a formula, in quotes where a quote, a line end or one of the separators in it asks for them: the comma of files for
+/// programs, those of all styles in tables for people.
+std::string csv_cell(const std::string& text, std::string_view separators = ",");
 
 /// Writes a table cell by cell.
 class CsvWriter {

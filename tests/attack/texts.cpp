@@ -141,6 +141,8 @@ TEST(Texts, CellsOfTablesAreNoFormulas) {
   EXPECT_EQ(postproc::csv_cell("=cmd|' /C calc'!A0"), "'=cmd|' /C calc'!A0");
   EXPECT_EQ(postproc::csv_cell("@SUM(1,2)"), "\"'@SUM(1,2)\"");
   EXPECT_EQ(postproc::csv_cell("+1"), "'+1");
+  EXPECT_EQ(postproc::csv_cell("a; b"), "a; b");
+  EXPECT_EQ(postproc::csv_cell("a; b", ",;"), "\"a; b\"");
   EXPECT_EQ(postproc::csv_cell("Front thigh"), "Front thigh");
 }
 
