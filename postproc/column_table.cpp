@@ -91,17 +91,6 @@ void refuse_several(const input::Csv& csv, std::size_t column, input::Diagnostic
                                "write a table of one of them");
 }
 
-/// Words between blanks.
-std::vector<std::string> words_of(std::string_view line) {
-  std::vector<std::string> words;
-  for (std::size_t at = 0; (at = line.find_first_not_of(" \t\r", at)) != line.npos;) {
-    const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
-    words.emplace_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
-
 bool is_rule(const std::vector<std::string>& words) { return words.size() == 1 && words[0].size() > 20 && words[0].find_first_not_of('-') == std::string::npos; }
 
 }  // namespace

@@ -104,4 +104,15 @@ ListingNumber scan_number(std::string_view text) {
   return number;
 }
 
+std::vector<std::string> words_of(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  std::vector<std::string> words;
+  for (std::size_t at = 0; (at = text.find_first_not_of(blanks, at)) != text.npos;) {
+    const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+    words.emplace_back(text.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
 }  // namespace snug::postproc

@@ -1,7 +1,9 @@
-// The numbers of an Ansys listing, which stand in fields without separators.
+// The numbers of an Ansys listing, which stand in fields without separators, and the words of its lines.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace snug::postproc {
 
@@ -19,5 +21,8 @@ struct ListingNumber {
 /// or d, or three after a bare sign, as Fortran prints 0.70000-100. NaN and Infinity count as numbers. Source: Fortran
 /// 2018, 13.7.2.3 (Ew.d, Gw.d); Ansys commands /FORMAT.
 ListingNumber scan_number(std::string_view text);
+
+/// What stands between blanks.
+std::vector<std::string> words_of(std::string_view text);
 
 }  // namespace snug::postproc

@@ -188,6 +188,18 @@ Eigen::VectorXd Scene::load_forces(const State& state) const {
   return -sum;
 }
 
+void Scene::take_unknowns(const Eigen::VectorXd& x, Eigen::VectorXd& step) const {
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
+  numbering_.spread(step);
+}
+
+void Scene::add_to_unknowns(Eigen::VectorXd forces, Eigen::VectorXd& sum) const {
+  numbering_.fold(forces);
+  for (int i = 0; i < layout_.size(); ++i)
+    if (const int unknown = numbering_.unknown(i); unknown >= 0) sum[unknown] += forces[i];
+}
+
 OneWay Scene::one_way(const State& state) const {
   std::vector<Eigen::Triplet<double>> parts;
   for (const auto& term : terms_) term->add_one_way(state, parts);
@@ -196,13 +208,8 @@ OneWay Scene::one_way(const State& state) const {
   derivative.setFromTriplets(parts.begin(), parts.end());
   return [this, derivative = std::move(derivative)](const Eigen::VectorXd& x, Eigen::VectorXd& sum) {
     Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout_.size());
-    for (int i = 0; i < layout_.size(); ++i)
-      if (const int unknown = numbering_.unknown(i); unknown >= 0) direction[i] = x[unknown];
-    numbering_.spread(direction);
-    Eigen::VectorXd forces = derivative * direction;
-    numbering_.fold(forces);
-    for (int i = 0; i < layout_.size(); ++i)
-      if (const int unknown = numbering_.unknown(i); unknown >= 0) sum[unknown] += forces[i];
+    take_unknowns(x, direction);
+    add_to_unknowns(derivative * direction, sum);
   };
 }
 
@@ -237,25 +244,18 @@ LinearReport Scene::solve(const State& state, Tangent tangent, double proximal, 
   costs_.factorisation += report.factor_seconds, costs_.solution += report.solve_seconds;
   costs_.factorisations += report.refactored ? 1 : 0, ++costs_.solutions, costs_.iterations += report.iterations;
   costs_.factor = report.factor;
-  for (int i = 0; i < layout_.size(); ++i)
-    if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
-  numbering_.spread(step);
+  take_unknowns(x, step);
   for (const auto& term : terms_) term->recover(state, step);
   return report;
 }
 
 bool Scene::respond(const State& state, const Eigen::VectorXd& forces, Eigen::VectorXd& step) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(numbering_.unknowns()), x;
-  Eigen::VectorXd folded = forces;
-  numbering_.fold(folded);
-  for (int i = 0; i < layout_.size(); ++i)
-    if (const int row = numbering_.unknown(i); row >= 0) right[row] += folded[i];
+  add_to_unknowns(forces, right);
   if (!solver_.solve_again(right, x)) return false;
   Eigen::VectorXd still = Eigen::VectorXd::Zero(layout_.size());
   step = still;
-  for (int i = 0; i < layout_.size(); ++i)
-    if (const int unknown = numbering_.unknown(i); unknown >= 0) step[i] = x[unknown];
-  numbering_.spread(step);
+  take_unknowns(x, step);
   for (const auto& term : terms_) term->recover(state, step), term->recover(state, still);
   step -= still;  // what is recovered without any step belongs to `solve`
   return true;

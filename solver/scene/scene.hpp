@@ -135,6 +135,10 @@ class Scene {
   void rebuild(const State& state);
   double force_norm(const Eigen::VectorXd& rows) const;
   OneWay one_way(const State& state) const;
+  /// An entry for every state entry from all unknowns; what neither is one nor follows one stays as it is.
+  void take_unknowns(const Eigen::VectorXd& x, Eigen::VectorXd& step) const;
+  /// The other way round: forces on entries onto the unknowns that carry them.
+  void add_to_unknowns(Eigen::VectorXd forces, Eigen::VectorXd& sum) const;
 
   Layout layout_;
   Numbering numbering_;
