@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mesh/curves/interpolation.hpp"
+#include "mesh/curves/root.hpp"
 #include "mesh/formats/ring_net.hpp"
 
 namespace snug::mesh {
@@ -130,18 +131,13 @@ double SplineOutline::turn_at_angle(double angle, double z) const {
     const double found = std::atan2(from.y(), from.x()) / full_turn;
     return found - wanted - std::round(found - wanted);
   };
-  // Angles rise with the turn; half a turn to either side holds the place. Secants within the bracket (Illinois).
-  double turn = wanted, here = off(turn);
-  double low = turn, at_low = here, high = turn, at_high = here;
-  for (double step = 0.02; at_low > 0.0 && step < 0.5; step *= 2.0) low = wanted - step, at_low = off(low);
-  for (double step = 0.02; at_high < 0.0 && step < 0.5; step *= 2.0) high = wanted + step, at_high = off(high);
-  for (int i = 0; i < 60 && std::abs(here) > 1e-15 && high > low; ++i) {
-    turn = (low * at_high - high * at_low) / (at_high - at_low);
-    here = off(turn);
-    if (here < 0.0) low = turn, at_low = here, at_high *= 0.5;
-    else high = turn, at_high = here, at_low *= 0.5;
-  }
-  return turn;
+  // Angles rise with the turn; half a turn to either side holds the place.
+  const double here = off(wanted);
+  curves::Sample low{wanted, here}, high = low;
+  for (double step = 0.02; low.value > 0.0 && step < 0.5; step *= 2.0) low = {wanted - step, off(wanted - step)};
+  for (double step = 0.02; high.value < 0.0 && step < 0.5; step *= 2.0) high = {wanted + step, off(wanted + step)};
+  constexpr double small = 1e-15;
+  return std::abs(here) <= small ? wanted : curves::bracketed_root(off, low, high, small, 0.0);
 }
 
 }  // namespace snug::mesh

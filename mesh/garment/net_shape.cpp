@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cases/input/files.hpp"
+#include "mesh/curves/root.hpp"
 #include "mesh/formats/curve_set.hpp"
 #include "mesh/garment/start_stretch.hpp"
 
@@ -95,29 +96,21 @@ Eigen::Vector3d normal_below(const Limb& limb, const Eigen::Vector2d& centre, co
   return normal;
 }
 
-/// How far (m) a point has to go along a direction to come to the shape; 0 where it lies outside already. By regula falsi (Illinois).
+/// How far (m) a point has to go along a direction to come to the shape; 0 where it lies outside already.
 double way_out(const RingNet& shape, const Eigen::Vector2d& centre, const Eigen::Vector3d& x, const Eigen::Vector3d& direction) {
   const auto outside = [&](double way) {
     const Eigen::Vector3d p = x + way * direction;
     const Eigen::Vector2d from = p.head<2>() - centre;
     return from.norm() - (on_ray(shape, centre, angle_of(from), p.z()).head<2>() - centre).norm();
   };
-  double low = 0.0, at_low = outside(low);
-  if (at_low >= 0.0) return 0.0;
-  double high = -2.0 * at_low, at_high = outside(high);
-  for (int i = 0; i < 8 && at_high < 0.0; ++i) high *= 2.0, at_high = outside(high);
-  if (at_high < 0.0)
+  const curves::Sample here{0.0, outside(0.0)};
+  if (here.value >= 0.0) return 0.0;
+  double far = -2.0 * here.value, at_far = outside(far);
+  for (int i = 0; i < 8 && at_far < 0.0; ++i) far *= 2.0, at_far = outside(far);
+  if (at_far < 0.0)
     throw InputError(shape.where, fmt::format("{} cannot be reached from the skin at height {:.0f} mm", shape.text, 1e3 * x.z()), "let it follow the body more closely there");
   constexpr double near_enough = 1e-9;  // m
-  double way = high;
-  for (int i = 0; i < 60 && high - low > near_enough; ++i) {
-    way = (low * at_high - high * at_low) / (at_high - at_low);
-    const double here = outside(way);
-    if (std::abs(here) < near_enough) break;
-    if (here < 0.0) low = way, at_low = here, at_high *= 0.5;
-    else high = way, at_high = here, at_low *= 0.5;
-  }
-  return way;
+  return curves::bracketed_root(outside, here, {far, at_far}, near_enough, near_enough);
 }
 
 }  // namespace

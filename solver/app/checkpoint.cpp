@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view first_line = "snug checkpoint 2\n";
+constexpr std::string_view first_line = "snug checkpoint 3\n";
 
 template <class T>
 std::string_view bytes_of(const std::vector<T>& list) {

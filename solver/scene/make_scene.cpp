@@ -6,6 +6,8 @@
 #include "solver/scene/loads.hpp"
 #include "solver/scene/scene.hpp"
 #include "solver/scene/tools.hpp"
+#include "solver/terms/drag.hpp"
+#include "solver/terms/facet_kind.hpp"
 #include "solver/terms/shell.hpp"
 #include "solver/terms/skin_membrane_term.hpp"
 
@@ -105,6 +107,24 @@ void add_solid_contact(const Model& model, const ContactModel& contact, const me
             stiffness, scene);
 }
 
+// What cloth that has lost its rest, and the skin below it, creep against: cloth is held back as it is damped, skin by its own stiffness over a cell.
+void add_drag(const Model& model, const mesh::BodyMesh& body, Skin skin, Scene& scene) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(scene.layout().size());
+  for (const Touch& touch : scene.touches())
+    if (touch.sheet) touch.sheet->damp(weights);
+  if (!weights.isZero(0.0) && skin == Skin::deformable) {
+    const Field& position = scene.layout()["body"];
+    const double stiffness = ground_stiffness(model, body, mesh::mean_edge(body, body.skin_facets));
+    for (const auto& facet : body.skin_facets) {
+      const double share = area(body, {facet}) / node_count(facet_kind(body.kind));
+      for (int a = 0; a < node_count(facet_kind(body.kind)); ++a)
+        for (int c = 0; c < 3; ++c) weights[position(facet[a], c)] += stiffness * share;
+    }
+  }
+  for (const auto& [entry, follows] : scene.numbering().bound()) weights[entry] = 0.0;
+  if (!weights.isZero(0.0)) scene.add(std::make_unique<Drag>(weights));
+}
+
 // What is left free must be in balance before anything moves.
 void check_balance(const Scene& scene, const Model& model, const Meshes& meshes, const input::Location& where) {
   State state = placed_state(scene.layout(), model, meshes);
@@ -126,6 +146,7 @@ Scene make_scene(const Model& model, const Meshes& meshes, Skin skin, std::optio
   if (skin == Skin::deformable) add_body(model, meshes.body, scene);
   if (!scene.supports().free_parts().empty()) check_balance(scene, model, meshes, model.asked.body->where);
   for (std::size_t g = 0; g < model.garments.size(); ++g) add_garment(model, static_cast<int>(g), meshes, skin, prestretch, scene);
+  add_drag(model, meshes.body, skin, scene);
   for (const ContactModel& contact : model.contacts)
     if (contact.garment < 0 && skin == Skin::deformable) add_solid_contact(model, contact, meshes.body, scene);
   if (skin == Skin::deformable) add_tools(model, meshes.body, body_stiffness, scene);

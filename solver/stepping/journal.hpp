@@ -19,6 +19,7 @@ struct PathRecord {
   double reached = 0.0, span = 0.0, step = 1.0;
   int increments = 0;
   int lost = 0;                 ///< iterations of increments that failed
+  int crept = 0;                ///< iterations on which cloth crept (creep.hpp)
   bool ended = false, complete = false;
   std::string message = {};
   std::vector<postproc::Iteration> rows = {};

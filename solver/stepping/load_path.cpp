@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "solver/stepping/creep.hpp"
 #include "solver/stepping/journal.hpp"
 #include "solver/stepping/minimise.hpp"
 
@@ -28,6 +29,11 @@ NewtonSettings increment_settings(const PathSettings& path, bool last, int failu
 
 // Of contact that yields, where it begins to harden. Half of the way on it is a third as stiff as the cloth of one vertex.
 constexpr double softest = 3.0;
+
+// Attempts in a row that fail before cloth creeps.
+constexpr int before_creeping = 2;
+// Iterations on which it may, over a path: loose cloth that comes to rest took up to 200, what slides off a limb never does.
+constexpr int most_crept = 300;
 
 void keep_non_negative(const Layout& layout, Eigen::VectorXd& values) {
   for (const Field& field : layout.fields())
@@ -62,7 +68,7 @@ class Walk {
       const double t = std::min(1.0, at_.reached + at_.step);
       State trial = settings_.carry ? carried(t) : failures_ == 0 ? predict(at_, t - at_.reached, scene_.layout()) : at_.state;
       homotopy_(trial, t);
-      const Outcome outcome = increment(trial, t);
+      const Outcome outcome = creeps_ && trial.yielding == 0.0 ? creeping(trial, t) : increment(trial, t);
       if (outcome == Outcome::stopped) return stop();
       outcome == Outcome::converged ? accept(std::move(trial), t) : fail(outcome);
       if (settings_.journal && (at_.ended || outcome == Outcome::converged)) settings_.journal->note(at_);
@@ -98,26 +104,44 @@ class Walk {
     return guess;
   }
 
+  bool last(double t) const { return t > 1.0 - 1e-12 && !settings_.leads_on; }
+
+  void note(postproc::Iteration row) {
+    row.increment = at_.increments + 1;
+    row.attempt = failures_ + 1;
+    if (settings_.journal) at_.rows.push_back(row);
+    sink_(row);
+  }
+
   Outcome increment(State& trial, double t) {
-    const bool last = t > 1.0 - 1e-12 && !settings_.leads_on;
     iterations_ = 0;
     const auto solve = trial.yielding > 0.0 ? minimise : newton;
-    return solve(scene_, trial, increment_settings(settings_, last, failures_), [&](postproc::Iteration row) {
+    return solve(scene_, trial, increment_settings(settings_, last(t), failures_), [&](const postproc::Iteration& row) {
       iterations_ = row.iteration;
-      row.increment = at_.increments + 1;
-      row.attempt = failures_ + 1;
-      if (settings_.journal) at_.rows.push_back(row);
-      sink_(row);
+      note(row);
     });
+  }
+
+  /// From the last state to the one at t where no step leads; what was lost on the way there counts no more.
+  Outcome creeping(State& trial, double t) {
+    iterations_ = 0;
+    const NewtonSettings loose = increment_settings(settings_, false, 0), answer = increment_settings(settings_, last(t), 0);
+    const Outcome outcome = creep(scene_, trial, loose, answer, most_crept - at_.crept, [&](postproc::Iteration row) {
+      if (row.iteration > 0) ++at_.crept;
+      row.event = "creeps";
+      note(row);
+    });
+    if (outcome == Outcome::converged) at_.lost = 0;
+    return outcome;
   }
 
   void accept(State trial, double t) {
     scene_.commit(trial);
     at_.before = std::exchange(at_.state, std::move(trial)).values;
-    at_.span = t - at_.reached;
+    at_.span = creeps_ ? 0.0 : t - at_.reached;  // what crept is no direction to go on in
     at_.reached = t;
     ++at_.increments;
-    failures_ = 0;
+    failures_ = 0, creeps_ = false;
     if (settings_.accepted) settings_.accepted(scene_, at_.state, t);
     at_.step = std::min(1.5 * at_.step, settings_.longest_step);
     if (t + 1.3 * at_.step > 1.0) at_.step = 1.0 - t;
@@ -129,11 +153,11 @@ class Walk {
   void fail(Outcome outcome) {
     at_.message = to_string(outcome);
     at_.lost += iterations_;
-    if (++failures_ > settings_.failures || at_.step < settings_.smallest_step || at_.lost > settings_.lost_iterations) {
-      at_.ended = true;
-    } else {
-      at_.step *= 0.5;
-    }
+    const bool crept = std::exchange(creeps_, false);
+    const bool given_up = ++failures_ > settings_.failures || at_.step < settings_.smallest_step || at_.lost > settings_.lost_iterations;
+    creeps_ = settings_.creeps && at_.crept < most_crept && (given_up || failures_ >= before_creeping);
+    at_.ended = crept || (given_up && !creeps_);
+    if (!given_up) at_.step *= 0.5;
   }
 
   PathResult stop() {
@@ -144,7 +168,7 @@ class Walk {
   }
 
   PathResult result() const {
-    PathResult path{at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.message};
+    PathResult path{at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.crept, at_.message};
     scene_.look(path.state);
     return path;
   }
@@ -155,6 +179,7 @@ class Walk {
   const IterationSink& sink_;
   PathRecord at_;
   int failures_ = 0;    ///< in a row
+  bool creeps_ = false; ///< the next attempt does
   int iterations_ = 0;  ///< of the last attempt
 };
 

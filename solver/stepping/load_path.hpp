@@ -18,6 +18,7 @@ struct PathSettings {
   int lost_iterations = 1000;   ///< of increments that failed, before giving up
   bool exact = false;           ///< states on the way are solved as the last one: each of them is an answer
   bool minimum = false;         ///< the answer must be a minimum on its constraints, by the inertia of the tangent
+  bool creeps = false;          ///< where no step leads on cloth creeps (creep.hpp)
   double smallest_step = 2e-3;  ///< shorter steps than this are no progress
   double longest_step = 1.0;
   NewtonSettings newton;        ///< of the final increment
@@ -51,6 +52,7 @@ struct PathResult {
   bool complete = false;        ///< t = 1 reached
   int increments = 0;
   int lost = 0;                 ///< iterations of increments that failed
+  int crept = 0;                ///< iterations on which cloth crept
   std::string message = {};     ///< why not
 };
 

@@ -115,7 +115,7 @@ LinearReport descent(Scene& scene, const State& state, const NewtonSettings& set
   const Tangent tangent = residual > settings.convex_above ? Tangent::convex : Tangent::full;
   full = tangent == Tangent::full;
   if (tangent == Tangent::convex) scene.assemble(state, tangent);
-  LinearReport report = scene.solve(state, tangent, proximal, lag, step, full && residual < near);
+  LinearReport report = scene.solve(state, tangent, proximal, lag, step, full && residual < near && !settings.cuts);
   const bool indefinite = report.ok && report.negative_pivots > scene.saddle_rows();
   if (!indefinite || !full) return report;
   full = false;
@@ -151,15 +151,16 @@ constexpr double too_much_growth = 10.0, largest_boost = 1e6;
 
 // Far from the solution for long: eight iterations without a residual a fifth lower than the best one before; sixteen where
 // it was near and is so no more. Iterations that
-// `stride` down an energy do not count, for the residual may well rise on the way: a sheet that wrinkles takes twenty so.
+// `stride` down an energy do not count, for the residual may well rise on the way: a sheet that wrinkles takes twenty so. Steps that are cut
+// get on by less: they may take some `more`.
 class Patience {
  public:
-  bool lost(const Check& now, int iteration, bool stride) {
+  bool lost(const Check& now, int iteration, bool stride, int more = 0) {
     if (iteration == 0 || !now.in_place) return false;  // what the load or a support will ask for is not in the balance yet
     const double residual = now.residual;
     if (residual < 0.8 * best_) best_ = residual, waited_ = 0;
     if (!stride) ++waited_;
-    return waited_ > (best_ > near ? 8 : 16) && std::max(best_, residual) > near;
+    return waited_ > (best_ > near ? 8 : 16) + more && std::max(best_, residual) > near;
   }
 
  private:
@@ -167,6 +168,7 @@ class Patience {
   int waited_ = 0;
 };
 constexpr double long_stride = 0.2;  // of a Newton step
+constexpr int cut_steps_more = 12;
 
 }  // namespace
 
@@ -200,7 +202,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
   Stationary known = Stationary::unknown;
   bool convex_factor = false;  // the last factor was of this increment's convex tangent, and of a minimum; a run that is resumed has none of an increment before
   bool in_place = true, cut = !settings.recut || !scene.renews_near_answer();
-  const bool downhill = !scene.bends(), constrained = scene.saddle_rows() > 0;
+  const bool downhill = !scene.bends() || settings.cuts, constrained = scene.saddle_rows() > 0;
   Acceleration acceleration(scene.layout().positions());
   bool mixed = false;  // the last step was
   int slow_steps = 0;
@@ -223,7 +225,7 @@ Outcome newton(Scene& scene, State& state, const NewtonSettings& settings, const
     if (now.done)
       return settings.minimum && kind_at_end(scene, state, known) == Stationary::saddle ? Outcome::saddle : Outcome::converged;
     if (settings.stop && settings.stop()) return Outcome::stopped;
-    if (patience.lost(now, iteration, downhill && !constrained && row.step >= long_stride)) return Outcome::no_progress;
+    if (patience.lost(now, iteration, downhill && !constrained && row.step >= long_stride, settings.cuts ? cut_steps_more : 0)) return Outcome::no_progress;
     const int most = now.residual < near ? 3 * settings.iterations / 2 : settings.iterations;  // what is near is not given up for a few
     const bool comes = now.measure.changed == 0 && now.condensed < comes_to_rest * condensed_before;
     if (iteration >= most && !comes) return Outcome::too_many_iterations;

@@ -22,6 +22,7 @@ struct NewtonSettings {
                                   ///< and not of the state that the increment started from
   bool minimum = false;           ///< what is found must be a minimum on its constraints, by the inertia of the tangent
   std::function<bool()> stop = {};  ///< asked after every iteration; true: the user wants no more
+  bool cuts = false;              ///< steps are cut where they lead uphill, also where cloth bends
   bool may_lag = false;           ///< solve with the last factor near the solution: pays where a body is factored
 };
 

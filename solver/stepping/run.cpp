@@ -189,6 +189,7 @@ class Run {
     for (std::size_t n = 0;; ++n) {
       PathSettings one = settings;
       one.failures = attempts[n].failures.value_or(one.failures), one.first_step = attempts[n].first_step;
+      one.creeps = one.creeps && n + 1 == attempts.size();  // another attempt is cheaper
       const PathResult path = stage.curve ? follow_curve(*stage.curve, attempts[n].rows, from, one)
                                           : follow_path(*from.scene, from.state, attempts[n].change, one, log_.sink(attempts[n].rows));
       if (path.complete) return path;
@@ -209,6 +210,7 @@ class Run {
     path.newton.residual = stage.residual;
     path.intermediate_residual = stage.intermediate_residual;
     path.leads_on = stage.leads_on;
+    path.creeps = !model_.garments.empty() && !another;
     if (!another) return path;
     path.failures = std::min(path.failures, failures_before_another_way);
     path.lost_iterations = std::min(path.lost_iterations, most_lost_before_another_way);
@@ -286,6 +288,8 @@ class Run {
   bool accept(const Stage& stage, Scene& scene, const PathResult& path) {
     lost_ += path.lost;
     log_.end_path(scene, path.increments, stage.name);
+    if (path.crept > 0 && path.complete)
+      result_.assumptions.push_back(fmt::format("{}: cloth crept to where it rests ({} iterations), for no path of equilibria was found; where loose cloth rests hangs on the way there", stage.name, path.crept));
     result_.status = path.complete ? postproc::Status::converged : log_.increments() > 0 ? postproc::Status::partial : postproc::Status::failed;
     const double fraction = path.state.load < 1.0 ? path.state.load : path.reached;
     before_ = std::exchange(result_.truth, {stage.name, stage.skin == Skin::deformable, fraction, path.state.stiffening, 1.0 / path.state.release});

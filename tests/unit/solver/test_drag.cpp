@@ -1,0 +1,75 @@
+// Drag against which cloth creeps: it belongs to its energy, holds cloth and skin, and is gone when it is taken away.
+#include <gtest/gtest.h>
+
+#include "solver/terms/drag.hpp"
+#include "tests/unit/solver/terms.hpp"
+
+namespace snug::tests {
+namespace {
+
+using solver::Drag, solver::Skin;
+
+/// A sleeve with friction on a coarse soft tube.
+struct Sleeve {
+  input::Case description;
+  solver::Meshes meshes;
+  solver::Scene scene;
+  solver::State state;
+
+  Sleeve() : description(describe()), meshes(make_meshes(description)), scene(tests::make_scene(description, meshes, Skin::deformable)), state(solver::placed_state(scene.layout(), meshes)) {}
+  static input::Case describe() {
+    TubeCase tube;
+    tube.around = 6, tube.along = 2, tube.through = 1, tube.cell_size = 0.02;
+    return describe_tube(tube);
+  }
+  const Drag& drag() const { return *scene.find<Drag>(); }
+};
+
+TEST(Drag, IsTheDerivativeOfItsEnergy) {
+  // Force and stiffness of a step of 1 mm from where it set out, to round-off: the energy is quadratic.
+  Sleeve sleeve;
+  Drag::hold_back(sleeve.state, 0.3);
+  const solver::State from = sleeve.state;
+  const Eigen::VectorXd direction = random_vector(from.values.size(), 1e-3, 1);
+  sleeve.state.values += direction;
+  const Assembled at = assemble(sleeve.drag(), sleeve.state, solver::Tangent::full);
+  EXPECT_NEAR(at.residual.dot(direction), 2.0 * sleeve.drag().energy(sleeve.state), 1e-12 * at.residual.norm() * direction.norm());
+  EXPECT_LE((at.tangent * direction - at.residual).norm(), 1e-12 * at.residual.norm());
+  EXPECT_GT(sleeve.drag().energy(sleeve.state), 0.0);
+  EXPECT_EQ(assemble(sleeve.drag(), from, solver::Tangent::none).residual.norm(), 0.0);  // where it set out from
+}
+
+TEST(Drag, HoldsClothAndSkinAndNothingBelow) {
+  // Every node of the garment and of the skin is held back, none in the depth of the body is.
+  Sleeve sleeve;
+  Drag::hold_back(sleeve.state, 1.0);
+  sleeve.state.values.array() += 1e-3;
+  const Eigen::VectorXd force = assemble(sleeve.drag(), sleeve.state, solver::Tangent::none).residual;
+  const solver::Field& garment = sleeve.scene.layout()[sleeve.meshes.garments.front().name];
+  for (int node = 0; node < garment.count; ++node)
+    if (sleeve.meshes.garments.front().merged.empty() || sleeve.meshes.garments.front().merged[node] == node) EXPECT_GT(force[garment(node, 0)], 0.0) << node;
+  std::vector<char> skin(sleeve.meshes.body.nodes.size(), 0);
+  for (const auto& facet : sleeve.meshes.body.skin_facets)
+    for (const int node : facet)
+      if (node >= 0) skin[node] = 1;
+  const solver::Field& body = sleeve.scene.layout()["body"];
+  for (std::size_t node = 0; node < skin.size(); ++node) EXPECT_EQ(force[body(static_cast<int>(node), 0)] > 0.0, skin[node] == 1) << node;
+}
+
+TEST(Drag, IsGoneWhereItIsTakenAway) {
+  // Without a drag there is neither force nor stiffness nor energy, and none is stored at any time.
+  Sleeve sleeve;
+  const auto nothing = [&] {
+    return assemble(sleeve.drag(), sleeve.state, solver::Tangent::full).tangent.norm() + assemble(sleeve.drag(), sleeve.state, solver::Tangent::none).residual.norm() + sleeve.drag().energy(sleeve.state);
+  };
+  EXPECT_EQ(nothing(), 0.0);
+  Drag::hold_back(sleeve.state, 1.0);
+  sleeve.state.values.array() += 1e-3;
+  EXPECT_GT(nothing(), 0.0);
+  EXPECT_EQ(sleeve.drag().stored_energy(sleeve.state), 0.0);
+  Drag::hold_back(sleeve.state, 0.0);
+  EXPECT_EQ(nothing(), 0.0);
+}
+
+}  // namespace
+}  // namespace snug::tests
