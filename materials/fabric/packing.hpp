@@ -17,6 +17,7 @@ constexpr double packed = 0.9;
 /// semidefinite. Gathered to half its area a knit of 200 N/m asks for some 1 N/m, gathered by a fifth for 0.03: about what folds of 10 to 20 mm bear
 /// before they buckle, B (2 pi / length)^2 with a bending stiffness B of 3e-6 N m. A tension field shortens at no cost, and where cloth bends it
 /// even gains by it, since b = n . x_,ij falls with the lengths: it falls together into one row of triangles, whose normals then mean nothing.
+/// A membrane alone keeps the exact tension field: only cloth that bends resists so (terms/fabric_bending).
 void add_packing(const Eigen::Vector3d& strain, double stiffness, MembraneResponse& response);
 
 }  // namespace snug::materials

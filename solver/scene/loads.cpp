@@ -77,13 +77,13 @@ LooseCloth loose_cloth(const input::GarmentSpec& garment, const mesh::GarmentMes
 void add_loose_cloth(const Model& model, int g, const mesh::GarmentMesh& mesh, Scene& scene) {
   const LooseCloth cloth = loose_cloth(model.garments[g].spec, mesh);
   std::vector<materials::BendingStiffness> bending;
-  std::vector<double> areal_density;
+  std::vector<double> areal_density, in_plane;
   for (const materials::Fabric& fabric : model.garments[g].fabrics()) {
     const materials::Fabric sheet = materials::with_usual_sheet(fabric);
-    bending.push_back(sheet.bending), areal_density.push_back(sheet.areal_density);
+    bending.push_back(sheet.bending), areal_density.push_back(sheet.areal_density), in_plane.push_back(sheet.stiffness());
   }
   const Field& position = scene.layout()[mesh.name];
-  if (cloth.bending) scene.add(std::make_unique<FabricBending>(mesh.name, position, mesh, bending));
+  if (cloth.bending) scene.add(std::make_unique<FabricBending>(mesh.name, position, mesh, bending, std::move(in_plane)));
   if (!cloth.weight) return;
   const auto& load = model.asked.load;
   const bool given = load && load->gravity != std::array<double, 3>{0, 0, 0};

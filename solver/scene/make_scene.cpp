@@ -107,11 +107,11 @@ void add_solid_contact(const Model& model, const ContactModel& contact, const me
             stiffness, scene);
 }
 
-// What cloth that has lost its rest, and the skin below it, creep against: cloth is held back as it is damped, skin by its own stiffness over a cell.
+// What cloth that rubs and has lost its rest, and the skin below it, creep against: cloth is held back as it is damped, skin by its own stiffness over a cell.
 void add_drag(const Model& model, const mesh::BodyMesh& body, Skin skin, Scene& scene) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(scene.layout().size());
   for (const Touch& touch : scene.touches())
-    if (touch.sheet) touch.sheet->damp(weights);
+    if (touch.sheet && touch.friction) touch.sheet->damp(weights);
   if (!weights.isZero(0.0) && skin == Skin::deformable) {
     const Field& position = scene.layout()["body"];
     const double stiffness = ground_stiffness(model, body, mesh::mean_edge(body, body.skin_facets));

@@ -23,6 +23,7 @@
 #include "solver/stepping/drape.hpp"
 #include "solver/stepping/run_log.hpp"
 #include "solver/stepping/stages.hpp"
+#include "solver/terms/drag.hpp"
 
 namespace snug::solver {
 
@@ -189,7 +190,7 @@ class Run {
     for (std::size_t n = 0;; ++n) {
       PathSettings one = settings;
       one.failures = attempts[n].failures.value_or(one.failures), one.first_step = attempts[n].first_step;
-      one.creeps = one.creeps && n + 1 == attempts.size();  // another attempt is cheaper
+      one.creeps = one.creeps && n + 1 == attempts.size() && from.scene->find<Drag>();  // another attempt is cheaper
       const PathResult path = stage.curve ? follow_curve(*stage.curve, attempts[n].rows, from, one)
                                           : follow_path(*from.scene, from.state, attempts[n].change, one, log_.sink(attempts[n].rows));
       if (path.complete) return path;
@@ -210,7 +211,7 @@ class Run {
     path.newton.residual = stage.residual;
     path.intermediate_residual = stage.intermediate_residual;
     path.leads_on = stage.leads_on;
-    path.creeps = !model_.garments.empty() && !another;
+    path.creeps = !another;
     if (!another) return path;
     path.failures = std::min(path.failures, failures_before_another_way);
     path.lost_iterations = std::min(path.lost_iterations, most_lost_before_another_way);

@@ -18,6 +18,11 @@ void Drag::hold_back(State& state, double drag) {
   history.from = drag > 0.0 ? state.values : Eigen::VectorXd();
 }
 
+// No state that is stored is held back.
+void Drag::restore(State& state) const {
+  if (state.history.has(own_name)) hold_back(state, 0.0);
+}
+
 double Drag::energy(const State& state) const {
   const auto* held = state.history.find<DragHistory>(own_name);
   double sum = 0.0;

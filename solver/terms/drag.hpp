@@ -32,7 +32,7 @@ class Drag : public Term {
   double energy(const State& state) const override;
   double stored_energy(const State&) const override { return 0.0; }
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
-  void restore(State& state) const override { hold_back(state, 0.0); }
+  void restore(State& state) const override;
 
  private:
   static constexpr const char* own_name = "drag";

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "materials/fabric/packing.hpp"
 #include "solver/terms/garment_shape.hpp"
 #include "solver/terms/parallel.hpp"
 
@@ -26,8 +27,8 @@ Eigen::Matrix3d to_frame(const Eigen::Matrix2d& tangents, const Eigen::Matrix2d&
 }  // namespace
 
 FabricBending::FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh,
-                             const std::vector<materials::BendingStiffness>& stiffness)
-    : garment_(std::move(garment)), field_(positions) {
+                             const std::vector<materials::BendingStiffness>& stiffness, std::vector<double> in_plane)
+    : garment_(std::move(garment)), field_(positions), in_plane_(std::move(in_plane)) {
   for (const materials::BendingStiffness& one : stiffness) stiffness_.emplace_back(Eigen::Vector3d(one.warp, one.weft, one.twist()).asDiagonal());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add_triangle(mesh, t);
   add_edges();
@@ -57,6 +58,7 @@ void FabricBending::add_triangle(const mesh::GarmentMesh& mesh, std::size_t t) {
     const Eigen::Matrix3d T = to_frame(tangents, triangle.frame);
     point.stiffness = T.transpose() * stiffness_[triangle.fabric] * T;
     point.weight = q.weight * tangents.determinant();
+    point.gradient = tangents.inverse().transpose() * point.place.dN.transpose();
     triangle.area += point.weight;
     triangle.points.push_back(point);
   }
@@ -122,14 +124,21 @@ EdgeElement FabricBending::edge_element(const State& state, const EdgeSides& edg
   return element;
 }
 
+void FabricBending::add_point(const TriangleNodes& x, const Triangle& triangle, const Point& point, bool tangent, bool geometric, MembraneElement<6>& element) const {
+  add_bending_point(shell_point(x, point.place), Eigen::Vector3d::Zero(), point.stiffness, point.weight, tangent, geometric, element);
+  if (in_plane_.empty()) return;
+  materials::MembraneResponse response;
+  const Eigen::Vector3d strain = membrane_strain<6>(x, point.gradient);
+  materials::add_packing(strain, in_plane_[triangle.fabric], response);
+  if (response.energy > 0.0) add_membrane_point<6>(x, point.gradient, point.weight, response, tangent, element);
+}
+
 double FabricBending::energy(const State& state) const {
   double sum = 0.0;
   MembraneElement<6> element;
   element.zero();
   for (std::size_t t = 0; t < triangles_.size(); ++t)
-    for (const Point& point : triangles_[t].points)
-      add_bending_point(shell_point(positions(state, static_cast<int>(t)), point.place), Eigen::Vector3d::Zero(),
-                        point.stiffness, point.weight, false, false, element);
+    for (const Point& point : triangles_[t].points) add_point(positions(state, static_cast<int>(t)), triangles_[t], point, false, false, element);
   sum += element.energy;
   for (const EdgeSides& edge : edges_) sum += edge_element(state, edge, Tangent::none).energy;
   return sum;
@@ -151,9 +160,7 @@ bool FabricBending::assemble(const State& state, Tangent tangent, Sink& sink) co
     }
     slot.triangle.zero();
     const TriangleNodes x = positions(state, e);
-    for (const Point& point : triangles_[e].points)
-      add_bending_point(shell_point(x, point.place), Eigen::Vector3d::Zero(), point.stiffness, point.weight, matrix,
-                        geometric, slot.triangle);
+    for (const Point& point : triangles_[e].points) add_point(x, triangles_[e], point, matrix, geometric, slot.triangle);
     return slot.triangle.residual.allFinite();
   };
   const auto consume = [&](int e, Slot& slot) {  // matrices are symmetric: it does not matter how they are stored

@@ -18,11 +18,14 @@ namespace snug::solver {
 /// so that the triangle's own coordinates serve even where its edges are curved. Free edges and those that are held turn
 /// freely; where more than two pieces meet at a seam, it is a hinge. Pieces of several fabrics bend each as its own; a seam between two has
 /// the mean of their moments and of their penalties, so that the angle stays none there, too. Lengths at rest of a tube that is knitted round are
-/// those of its courses.
+/// those of its courses. Gathered cloth resists here, too (materials/fabric/packing.hpp), since it is bending that draws slack cloth in: b falls
+/// with the lengths.
 class FabricBending : public Term {
  public:
-  /// Takes quadratic triangles (mesh.order 2). `stiffness`: of the garment's own fabric, then of those of its zones.
-  FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const std::vector<materials::BendingStiffness>& stiffness);
+  /// Takes quadratic triangles (mesh.order 2). `stiffness`: of the garment's own fabric, then of those of its zones. `in_plane`: N/m, of the
+  /// same, for what gathered cloth resists with; empty: it does not.
+  FabricBending(std::string garment, const Field& positions, const mesh::GarmentMesh& mesh, const std::vector<materials::BendingStiffness>& stiffness,
+                std::vector<double> in_plane = {});
 
   std::string name() const override { return "bending of " + garment_; }
   const ElementEntries& entries(const State&) const override { return entries_; }
@@ -37,6 +40,7 @@ class FabricBending : public Term {
     TrianglePlace place;
     Eigen::Matrix3d stiffness;  ///< along the coordinates (11, 22, 12)
     double weight = 0.0;        ///< pattern area, m2
+    Derivatives<6> gradient;    ///< grad N_a on the pattern, 1/m
   };
   struct Triangle {
     std::array<int, 6> nodes;              ///< representative nodes
@@ -56,11 +60,13 @@ class FabricBending : public Term {
   void add_edge(const std::vector<std::array<int, 2>>& sides);
   void set_side(EdgePoint& point, int side, const std::array<int, 2>& at, int q) const;
   TriangleNodes positions(const State& state, int triangle) const;
+  void add_point(const TriangleNodes& x, const Triangle& triangle, const Point& point, bool tangent, bool geometric, MembraneElement<6>& element) const;
   EdgeElement edge_element(const State& state, const EdgeSides& edge, Tangent tangent) const;
 
   std::string garment_;
   Field field_;
   std::vector<Eigen::Matrix3d> stiffness_;  ///< of the fabrics, along warp and weft, of (k11, k22, 2 k12)
+  std::vector<double> in_plane_;            ///< N/m, of the fabrics, or empty
   std::vector<Triangle> triangles_;
   std::vector<EdgeSides> edges_;
   ElementEntries entries_;     ///< triangles first, then edges

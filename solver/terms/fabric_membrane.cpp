@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/fabric/packing.hpp"
 #include "solver/fem/element.hpp"
 #include "solver/terms/garment_shape.hpp"
 #include "solver/terms/parallel.hpp"
@@ -75,13 +74,6 @@ FabricMembrane::Point FabricMembrane::point_at(const Element& element, const Nod
 
 double FabricMembrane::eta(double load) const { return std::pow(1e-2, 1.0 - load) * std::pow(final_eta_, load); }
 
-materials::MembraneResponse FabricMembrane::response(const Element& element, const Eigen::Vector3d& strain, double load) const {
-  const materials::Fabric& fabric = fabrics_[element.fabric];
-  materials::MembraneResponse response = fabric.relaxed(strain, eta(load));
-  materials::add_packing(strain, fabric.stiffness(), response);
-  return response;
-}
-
 NodeVectors<6> FabricMembrane::positions(const State& state, const Element& element) const {
   NodeVectors<6> x;
   for (int a = 0; a < 6; ++a) x.col(a) = state.values.segment<3>(field_(element.nodes[a]));
@@ -102,7 +94,7 @@ double FabricMembrane::energy(const State& state) const {
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      sum += weight * response(element, membrane_strain<6>(x, d), state.load).energy;
+      sum += weight * fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load)).energy;
     }
   }
   return sum;
@@ -110,14 +102,16 @@ double FabricMembrane::energy(const State& state) const {
 
 bool FabricMembrane::assemble(const State& state, Tangent tangent, Sink& sink) const {
   std::vector<MembraneElement<6>> slots(256);
+  const double compressive = eta(state.load);
   const auto compute = [&](int e, MembraneElement<6>& slot) {
     const Element& element = elements_[e];
+    const materials::Fabric& fabric = fabrics_[element.fabric];
     const NodeVectors<6> x = positions(state, element);
     slot.zero();
     for (const Point& point : element.points) {
       double weight = 0.0;
       const Derivatives<6> d = derivatives(element, point, state.load, weight);
-      add_membrane_point<6>(x, d, weight, response(element, membrane_strain<6>(x, d), state.load), wanted(tangent), slot);
+      add_membrane_point<6>(x, d, weight, fabric.relaxed(membrane_strain<6>(x, d), compressive), wanted(tangent), slot);
     }
     return slot.residual.allFinite();
   };
@@ -192,15 +186,15 @@ FabricMembrane::Summary FabricMembrane::summary(const State& state, int triangle
     double weight = 0.0;
     const Derivatives<6> d = derivatives(element, point, state.load, weight);
     const Eigen::Matrix<double, 3, 2> f = x * d.transpose();
-    const materials::MembraneResponse answer = response(element, membrane_strain<6>(x, d), state.load);
+    const auto response = fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load));
     const double l1 = f.col(0).norm(), l2 = f.col(1).norm(), J = f.col(0).cross(f.col(1)).norm();
     // Cauchy force sigma = F N F^T / J, components along the current warp and weft directions.
-    s.tension_warp += point.weight * answer.force[0] * l1 * l1 / J;
-    s.tension_weft += point.weight * answer.force[1] * l2 * l2 / J;
-    s.shear += point.weight * answer.force[2] * l1 * l2 / J;
+    s.tension_warp += point.weight * response.force[0] * l1 * l1 / J;
+    s.tension_weft += point.weight * response.force[1] * l2 * l2 / J;
+    s.shear += point.weight * response.force[2] * l1 * l2 / J;
     s.stretch_warp += point.weight * l1;
     s.stretch_weft += point.weight * l2;
-    s.wrinkled = std::max(s.wrinkled, static_cast<double>(answer.state));
+    s.wrinkled = std::max(s.wrinkled, static_cast<double>(response.state));
     s.area_ratio += weight * J;
     area += point.weight;
   }
@@ -217,7 +211,7 @@ NodeVectors<6> FabricMembrane::nodal_forces(const State& state, int triangle) co
   for (const Point& point : element.points) {
     double weight = 0.0;
     const Derivatives<6> d = derivatives(element, point, state.load, weight);
-    add_membrane_point<6>(x, d, weight, response(element, membrane_strain<6>(x, d), state.load), false, sums);
+    add_membrane_point<6>(x, d, weight, fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load)), false, sums);
   }
   return Eigen::Map<const NodeVectors<6>>(sums.residual.data());
 }
@@ -237,7 +231,7 @@ FabricMembrane::SideForce FabricMembrane::side_force(const State& state, const m
     double weight = 0.0;
     const Derivatives<6> d = derivatives(element, point, state.load, weight);
     const Eigen::Matrix<double, 3, 2> f = x * d.transpose();
-    const Eigen::Vector3d n = response(element, membrane_strain<6>(x, d), state.load).force;
+    const Eigen::Vector3d n = fabrics_[element.fabric].relaxed(membrane_strain<6>(x, d), eta(state.load)).force;
     // Along the side, per dxi: of the cloth now, and in the frame at rest from f e = dx.
     Eigen::Matrix<double, 6, 1> slope = garment_slopes(order_, L) * side_direction(side);
     const Eigen::Vector3d now = 0.5 * x * slope;

@@ -1,4 +1,4 @@
-// The garment as a tension-field membrane on its flat pattern, tightened by metric homotopy; gathered, it resists (materials/fabric/packing.hpp).
+// The garment as a tension-field membrane on its flat pattern, tightened by metric homotopy.
 #pragma once
 
 #include <array>
@@ -80,8 +80,6 @@ class FabricMembrane : public Term {
     std::vector<Point> points;
   };
   NodeVectors<6> positions(const State& state, const Element& element) const;
-  /// The relaxed law and what gathered cloth resists with.
-  materials::MembraneResponse response(const Element& element, const Eigen::Vector3d& strain, double load) const;
   static Derivatives<6> derivatives(const Element& element, const Point& point, double load, double& rest_weight);
   Point point_at(const Element& element, const NodeVectors<6>& placed, const TrianglePoint& q) const;
 

@@ -20,7 +20,9 @@ struct Sleeve {
   static input::Case describe() {
     TubeCase tube;
     tube.around = 6, tube.along = 2, tube.through = 1, tube.cell_size = 0.02;
-    return describe_tube(tube);
+    input::Case c = describe_tube(tube);
+    c.contacts.front().friction = 0.3;
+    return c;
   }
   const Drag& drag() const { return *scene.find<Drag>(); }
 };
@@ -54,6 +56,14 @@ TEST(Drag, HoldsClothAndSkinAndNothingBelow) {
       if (node >= 0) skin[node] = 1;
   const solver::Field& body = sleeve.scene.layout()["body"];
   for (std::size_t node = 0; node < skin.size(); ++node) EXPECT_EQ(force[body(static_cast<int>(node), 0)] > 0.0, skin[node] == 1) << node;
+}
+
+TEST(Drag, IsNotThereWhereNothingRubs) {
+  // Without friction cloth has one place to rest: there is nothing to creep against.
+  input::Case c = Sleeve::describe();
+  c.contacts.front().friction = 0.0;
+  const solver::Meshes meshes = make_meshes(c);
+  EXPECT_EQ(tests::make_scene(c, meshes, Skin::deformable).find<Drag>(), nullptr);
 }
 
 TEST(Drag, IsGoneWhereItIsTakenAway) {
