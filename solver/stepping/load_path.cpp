@@ -141,7 +141,7 @@ class Walk {
     at_.span = creeps_ ? 0.0 : t - at_.reached;  // what crept is no direction to go on in
     at_.reached = t;
     ++at_.increments;
-    failures_ = 0, creeps_ = false;
+    failures_ = 0, creeps_ = in_vain_ = false;
     if (settings_.accepted) settings_.accepted(scene_, at_.state, t);
     at_.step = std::min(1.5 * at_.step, settings_.longest_step);
     if (t + 1.3 * at_.step > 1.0) at_.step = 1.0 - t;
@@ -150,14 +150,16 @@ class Walk {
     at_.message.clear();
   }
 
+  /// Shorter steps; cloth creeps once in a stretch of attempts that fail, and where that is in vain steps go on as before.
   void fail(Outcome outcome) {
     at_.message = to_string(outcome);
     at_.lost += iterations_;
     const bool crept = std::exchange(creeps_, false);
+    in_vain_ = in_vain_ || crept;
     const bool given_up = ++failures_ > settings_.failures || at_.step < settings_.smallest_step || at_.lost > settings_.lost_iterations;
-    creeps_ = settings_.creeps && at_.crept < most_crept && (given_up || failures_ >= before_creeping);
-    at_.ended = crept || (given_up && !creeps_);
-    if (!given_up) at_.step *= 0.5;
+    creeps_ = settings_.creeps && !in_vain_ && at_.crept < most_crept && (given_up || failures_ >= before_creeping);
+    at_.ended = given_up && !creeps_;
+    if (!given_up && !crept) at_.step *= 0.5;
   }
 
   PathResult stop() {
@@ -180,6 +182,7 @@ class Walk {
   PathRecord at_;
   int failures_ = 0;    ///< in a row
   bool creeps_ = false; ///< the next attempt does
+  bool in_vain_ = false;  ///< it did, since the last state
   int iterations_ = 0;  ///< of the last attempt
 };
 

@@ -11,7 +11,7 @@ namespace snug::solver {
 /// hats' full coupling allows; then only those change that are wrong by at least a share of the worst, so that small errors
 /// beside it, which its change may mend, do not come and go with it. The worst one is always among them. Where that does
 /// not help for long, one alone changes, the one that has done so least often; and where that does not, the last one, which ends for
-/// every positive definite problem (Murty, Linear Algebra and its Applications 7 (1974)) but lets the others wait while it swings. With
+/// every positive definite problem (Murty, Opsearch 11 (1974) 123-130) but lets the others wait while it swings. With
 /// friction not every problem has a solution: a vertex may press on its neighbours' slip so that its gap closes as its multiplier grows, and
 /// then neither touching nor not touching is right to the last bit. Where sets have gone in circles a vertex out of contact therefore
 /// stays so while it is wrong by no more than `slack`.

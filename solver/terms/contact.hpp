@@ -49,7 +49,7 @@ struct ContactHistory : public History {
 ///   weighted gap  g~_i = sum_q w_q Phi_i g_q,   A_i = sum_q w_q L_i,
 ///   trial  p_i - c_i g~_i / A_i > 0  <=>  vertex i is in contact (primal-dual active set, Hueeber & Wohlmuth 2005),
 ///   force on the slave  sum_q w_q (sum_i Phi_i p_i) n_q, its opposite on the master at y(xi_q).
-/// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / c_i, of the others: -eps_i p_i = 0.
+/// Rows of active vertices: -g~_i - eps_i (p_i - p_i^old) = 0 with eps_i = A_i / (1e4 c_i), of the others: -eps_i p_i = 0.
 /// As p^old follows the iterate, eps_i regularises the step only (augmented Lagrangian updated every iteration): the
 /// matrix [K, -G^T; -G, -eps] is quasi-definite and the converged state has g~_i = 0 exactly.
 /// Where contact yields (State::yielding y > 0) there is no set to be found: p_i = max(0, p_i^0 - c_i / y g~_i / A_i) follows from the

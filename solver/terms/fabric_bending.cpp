@@ -130,7 +130,12 @@ void FabricBending::add_point(const TriangleNodes& x, const Triangle& triangle, 
   materials::MembraneResponse response;
   const Eigen::Vector3d strain = membrane_strain<6>(x, point.gradient);
   materials::add_packing(strain, in_plane_[triangle.fabric], response);
-  if (response.energy > 0.0) add_membrane_point<6>(x, point.gradient, point.weight, response, tangent, element);
+  if (response.energy == 0.0) return;
+  const bool convex = tangent && !geometric;
+  add_membrane_point<6>(x, point.gradient, point.weight, response, tangent && !convex, element);
+  if (!convex) return;
+  response.energy = 0.0, response.force.setZero();  // its push, which turns with the sheet, is what may be indefinite
+  add_membrane_point<6>(x, point.gradient, point.weight, response, true, element);
 }
 
 double FabricBending::energy(const State& state) const {

@@ -31,7 +31,7 @@ class FabricBending : public Term {
   const ElementEntries& entries(const State&) const override { return entries_; }
   bool bends() const override { return true; }
   double energy(const State& state) const override;
-  /// Tangent::convex leaves out what turning normals add, which may be indefinite; the rest is positive for flat triangles.
+  /// Tangent::convex leaves out what turning normals and the push of gathered cloth add, which may be indefinite; the rest is positive for flat triangles.
   bool assemble(const State& state, Tangent tangent, Sink& sink) const override;
   double step_bound(const State& state, const Eigen::VectorXd& direction, double limit) const override;
 
