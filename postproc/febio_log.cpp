@@ -6,19 +6,14 @@
 #include <charconv>
 #include <limits>
 
+#include "cases/input/text.hpp"
 #include "postproc/listing_numbers.hpp"
 
 namespace snug::postproc {
 
 namespace {
 
-constexpr int most_errors = 10;
 constexpr std::string_view apart = " \t\r,;";
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::vector<std::string> lower_words(std::string_view text) {
   std::vector<std::string> words;
@@ -48,8 +43,8 @@ std::vector<std::string> labels_of(std::string_view name) {
 std::optional<std::string_view> entry(std::string_view line, std::string_view key) {
   if (line.starts_with('*')) line.remove_prefix(1);
   if (!line.starts_with(key)) return std::nullopt;
-  line = trimmed(line.substr(key.size()));
-  return line.starts_with('=') ? std::optional(trimmed(line.substr(1))) : std::nullopt;
+  line = input::trimmed(line.substr(key.size()));
+  return line.starts_with('=') ? std::optional(input::trimmed(line.substr(1))) : std::nullopt;
 }
 
 class Records {
@@ -57,10 +52,10 @@ class Records {
   Records(std::string_view text, const std::string& file, input::Diagnostics& diagnostics) : rest_(text), file_(file), diagnostics_(diagnostics) {}
 
   std::optional<std::vector<ListingTable>> parse() {
-    while (!rest_.empty() && errors_ < most_errors) {
+    while (!rest_.empty() && errors_ < most_listing_errors) {
       ++number_;
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-      const std::string_view line = trimmed(rest_.substr(0, end));
+      const std::string_view line = input::trimmed(rest_.substr(0, end));
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       take(line);
     }

@@ -7,24 +7,19 @@
 #include <limits>
 #include <map>
 
+#include "cases/input/text.hpp"
 #include "postproc/listing_numbers.hpp"
 
 namespace snug::postproc {
 
 namespace {
 
-constexpr int most_errors = 10;
 constexpr std::size_t value_width = 12;
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::string_view columns(std::string_view line, std::size_t first, std::size_t count) { return first < line.size() ? line.substr(first, count) : std::string_view(); }
 
 int whole(std::string_view text, int otherwise = 0) {
-  text = trimmed(text);
+  text = input::trimmed(text);
   int value = otherwise;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
   return parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() ? value : otherwise;
@@ -41,7 +36,7 @@ class FrdParser {
   FrdParser(std::string_view text, const std::string& file, input::Diagnostics& diagnostics) : rest_(text), file_(file), diagnostics_(diagnostics) {}
 
   std::vector<ListingTable> parse() {
-    while (!rest_.empty() && errors_ < most_errors) {
+    while (!rest_.empty() && errors_ < most_listing_errors) {
       ++number_;
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       std::string_view line = rest_.substr(0, end);
@@ -81,7 +76,7 @@ class FrdParser {
   }
 
   void begin_results(std::string_view line) {
-    const std::string_view name = trimmed(columns(line, 5, 8));
+    const std::string_view name = input::trimmed(columns(line, 5, 8));
     const auto known = blocks().find(name);
     end_block();
     if (known == blocks().end()) return;
@@ -103,13 +98,13 @@ class FrdParser {
     if (first) {
       check_complete();
       const int node = whole(columns(line, 3, node_width_));
-      if (node < 1) return error(fmt::format("\"{}\" is no node number", trimmed(columns(line, 3, node_width_))), "nodes count from 1");
+      if (node < 1) return error(fmt::format("\"{}\" is no node number", input::trimmed(columns(line, 3, node_width_))), "nodes count from 1");
       table.rows.push_back({node, 0, 0, ShellSurface::none, number_});
       values_ = 0;
     }
     if (table.rows.empty()) return;
     for (std::size_t at = 3 + node_width_; at < line.size() && values_ < stored_; at += value_width, ++values_) {
-      const std::string_view text = trimmed(columns(line, at, value_width));
+      const std::string_view text = input::trimmed(columns(line, at, value_width));
       const ListingNumber found = scan_number(text);
       if (found.length != text.size() || text.empty()) return error(fmt::format("\"{}\" is no number", text), "give a number such as -2.30580E-05 in each 12 columns");
       if (values_ < labels) table.values.push_back(found.value);

@@ -5,17 +5,18 @@
 #include <charconv>
 #include <limits>
 
+#include "cases/input/text.hpp"
+
 namespace snug::postproc {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_sign(char c) { return c == '+' || c == '-'; }
 
 char at(std::string_view text, std::size_t place) { return place < text.size() ? text[place] : '\0'; }
 
 std::size_t digits_from(std::string_view text, std::size_t place) {
   std::size_t count = 0;
-  while (is_digit(at(text, place + count))) ++count;
+  while (input::is_digit(at(text, place + count))) ++count;
   return count;
 }
 

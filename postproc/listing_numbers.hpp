@@ -7,6 +7,8 @@
 
 namespace snug::postproc {
 
+constexpr int most_listing_errors = 10;  ///< with so many a reader gives up
+
 /// What stands at the beginning of a text.
 struct ListingNumber {
   double value = 0.0;      ///< NaN for an overflown field (************)

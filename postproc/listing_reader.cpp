@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "cases/input/files.hpp"
+#include "cases/input/text.hpp"
 #include "postproc/column_table.hpp"
 #include "postproc/febio_log.hpp"
 #include "postproc/frd_listing.hpp"
@@ -18,22 +19,15 @@ namespace snug::postproc {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
-constexpr int most_errors = 10;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 bool starts(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(blanks);
-  return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// The whole number after `key`, as in "LOAD STEP=     1", or `otherwise`.
 int number_after(std::string_view text, std::string_view key, int otherwise) {
   const auto place = text.find(key);
   if (place == text.npos) return otherwise;
-  const std::string_view rest = trimmed(text.substr(place + key.size()));
+  const std::string_view rest = input::trimmed(text.substr(place + key.size()));
   int value = otherwise;
   std::from_chars(rest.data(), rest.data() + rest.size(), value);
   return value;
@@ -45,12 +39,12 @@ class Parser {
       : text_(text), file_(file), diagnostics_(diagnostics) {}
 
   std::vector<ListingTable> parse() {
-    while (!text_.empty() && errors_ < most_errors) {
+    while (!text_.empty() && errors_ < most_listing_errors) {
       ++line_number_;
       const std::size_t end = std::min(text_.find('\n'), text_.size());
       line_ = text_.substr(0, end);
       text_.remove_prefix(std::min(end + 1, text_.size()));
-      take(trimmed(line_));
+      take(input::trimmed(line_));
     }
     close();
     return std::move(tables_);
@@ -63,7 +57,7 @@ class Parser {
   void take(std::string_view line) {
     if (line.empty()) return;
     const char c = line.front();
-    if (is_digit(c) || c == '+' || c == '-' || c == '.') return take_numbers(line);
+    if (input::is_digit(c) || c == '+' || c == '-' || c == '.') return take_numbers(line);
     if (c == '*' && line.find_first_not_of("* \t") == line.npos) return take_numbers(line);
     if (pending() && scan_number(line).length > 0) return take_values(line);  // NaN on a continuation line
     if (!is_letter(c) && std::none_of(line.begin(), line.end(), is_letter)) return;
@@ -94,7 +88,7 @@ class Parser {
     if (const int system = number_after(line, "DSYS=", 0); system != 0) frame_ = fmt::format("COORDINATE SYSTEM {}", system);
     const auto in = line.find(" ARE IN ");
     if (in == line.npos || (line.find("RESULTS") == line.npos && line.find("VALUES") == line.npos)) return;
-    const std::string_view named = trimmed(line.substr(in + 8));
+    const std::string_view named = input::trimmed(line.substr(in + 8));
     const bool global = named.find("GLOBAL") != named.npos || (starts(named, "COORDINATE SYSTEM") && number_after(named, "COORDINATE SYSTEM", 0) == 0);
     if (named.find("COORDINATE") == named.npos) return;
     frame_ = global ? "" : fmt::format("{}", fmt::join(words_of(named), " "));
@@ -113,7 +107,7 @@ class Parser {
   /// "displacements (vx,vy,vz) for set ALL and time  0.1000000E+01": several sets at one time are one table.
   void begin_calculix(std::string_view line) {
     const auto place = line.find("and time");
-    const std::string_view text = place == line.npos ? std::string_view() : trimmed(line.substr(place + 8));
+    const std::string_view text = place == line.npos ? std::string_view() : input::trimmed(line.substr(place + 8));
     const double time = scan_number(text).value;
     if (load_step_ == 0 || time != time_) ++load_step_;
     time_ = time;
@@ -164,13 +158,13 @@ class Parser {
     check_complete();
     tables_.back().closed = true;
     mode_ = Mode::extrema;
-    tables_.back().extrema.push_back({std::string(trimmed(line.substr(0, line.find("VALUES")))), {}, {}});
+    tables_.back().extrema.push_back({std::string(input::trimmed(line.substr(0, line.find("VALUES")))), {}, {}});
   }
 
   ListingExtreme& extreme() { return tables_.back().extrema.back(); }
 
   void take_extreme_nodes(std::string_view line) {
-    for (line = trimmed(line); !line.empty(); line = trimmed(line)) {
+    for (line = input::trimmed(line); !line.empty(); line = input::trimmed(line)) {
       int node = 0;
       const auto result = std::from_chars(line.data(), line.data() + line.size(), node);
       if (result.ec != std::errc()) return error(line, "a node number is expected here", "give whole numbers");
@@ -208,7 +202,7 @@ class Parser {
 
   void take_row(std::string_view line, std::size_t length) {
     const std::string_view rest = line.substr(length);
-    const std::string_view value = trimmed(rest);
+    const std::string_view value = input::trimmed(rest);
     const bool separate = blanks.find(rest.front()) != blanks.npos || rest.front() == '-' || rest.front() == '+';
     if (!separate || (is_letter(value.front()) && scan_number(value).length == 0)) {
       if (std::any_of(line.begin(), line.end(), is_letter)) return take_text(line);  // a title, the banner
@@ -250,7 +244,7 @@ class Parser {
       if (next == line.npos) return true;
       line.remove_prefix(next);
       const ListingNumber number = scan_number(line);
-      if (number.length == 0 && trimmed(line) == "L") {  // CalculiX marks nodes with a *TRANSFORM so
+      if (number.length == 0 && input::trimmed(line) == "L") {  // CalculiX marks nodes with a *TRANSFORM so
         error(line, "the values of the node are along the axes of its own frame", "print them in the global one: *NODE PRINT, GLOBAL=YES, or take the .frd file");
         return false;
       }
@@ -269,7 +263,7 @@ class Parser {
   void check_stray(std::string_view line, const ListingNumber& first) {
     if (tables_.empty() || !first.integer) return;
     std::size_t count = 0;
-    for (std::string_view rest = trimmed(line.substr(first.length)); !rest.empty(); rest = trimmed(rest)) {
+    for (std::string_view rest = input::trimmed(line.substr(first.length)); !rest.empty(); rest = input::trimmed(rest)) {
       const ListingNumber number = scan_number(rest);
       if (number.length == 0) return;
       count += number.fields;

@@ -12,17 +12,12 @@
 #include "cases/input/spreadsheet.hpp"
 #include "cases/input/suggestion.hpp"
 #include "cases/input/table_lines.hpp"
+#include "cases/input/text.hpp"
 #include "cases/input/units.hpp"
 
 namespace snug::input {
 
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 Csv::Row row_of(const std::string& line, int number, char separator) {
   LineCells cells = cells_of(line, separator);
@@ -218,7 +213,7 @@ Csv of_sheet(std::vector<SheetRow> sheet, Csv csv, Diagnostics& diagnostics) {
   std::vector<std::vector<std::string>> cells;
   for (SheetRow& from : sheet) {
     Csv::Row row{.line = from.number, .cells = {}, .columns = {}};
-    for (std::string& cell : from.cells) row.cells.push_back(trimmed(cell)), row.columns.push_back(static_cast<int>(row.cells.size()));
+    for (std::string& cell : from.cells) row.cells.push_back(trimmed_copy(cell)), row.columns.push_back(static_cast<int>(row.cells.size()));
     const bool empty = std::all_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell.empty(); });
     if (empty || row.cells[0].starts_with('#')) continue;
     cells.push_back(row.cells);
@@ -277,7 +272,7 @@ Csv read_csv(const std::filesystem::path& path, Diagnostics& diagnostics, const 
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
-    const std::string content = trimmed(line);
+    const std::string content = trimmed_copy(line);
     if (content.empty() || content[0] == '#') continue;
     if (first_rows.size() < longest_title) first_rows.push_back(cells_of(line, separator_of(line)).texts);
     lines.emplace_back(number, std::move(line));

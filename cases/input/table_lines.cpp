@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstdint>
 
+#include "cases/input/text.hpp"
 #include "cases/input/units.hpp"
 
 namespace snug::input {
@@ -12,11 +13,6 @@ namespace snug::input {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-
-std::string trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(blanks);
-  return first == text.npos ? std::string() : std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 void append_utf8(std::uint32_t code, std::string& text) {
   const auto put = [&](std::uint32_t value) { text += static_cast<char>(value); };
@@ -111,7 +107,7 @@ LineCells cells_of(const std::string& line, char separator) {
   LineCells cells{{""}, {1}};
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && (quoted || trimmed(cells.texts.back()).empty())) {  // inside a cell it is a character: girth (")
+    if (line[i] == '"' && (quoted || trimmed_copy(cells.texts.back()).empty())) {  // inside a cell it is a character: girth (")
       if (quoted && i + 1 < line.size() && line[i + 1] == '"') cells.texts.back() += line[i++];
       else quoted = !quoted;
     } else if (line[i] == separator && !quoted) {
@@ -124,7 +120,7 @@ LineCells cells_of(const std::string& line, char separator) {
   for (std::size_t c = 0; c < cells.texts.size(); ++c) {
     const auto before = cells.texts[c].find_first_not_of(" \t");
     if (before != std::string::npos) cells.columns[c] += static_cast<int>(before);
-    cells.texts[c] = trimmed(cells.texts[c]);
+    cells.texts[c] = trimmed_copy(cells.texts[c]);
   }
   return cells;
 }
@@ -133,15 +129,15 @@ HeadText head_of(const std::string& text) {
   for (const auto& [opens, closes] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
     const auto open = opens == '(' ? text.rfind(opens) : text.find(opens), close = text.rfind(closes);
     if (open != text.npos && close != text.npos && close > open && (opens == '[' || close + 1 == text.size()))
-      return {trimmed(text.substr(0, open)), trimmed(text.substr(open + 1, close - open - 1))};
+      return {trimmed_copy(text.substr(0, open)), trimmed_copy(text.substr(open + 1, close - open - 1))};
   }
   double factor = 1.0;
   for (const char* between : {" in ", "/"}) {
     const auto at = text.rfind(between);
     if (at == text.npos || at == 0) continue;
-    const std::string unit = trimmed(text.substr(at + std::string(between).size()));
+    const std::string unit = trimmed_copy(text.substr(at + std::string(between).size()));
     for (const char* dimension : {"m", "N", "Pa", "rad", "s"})
-      if (unit_factor(unit, dimension, factor)) return {trimmed(text.substr(0, at)), unit};
+      if (unit_factor(unit, dimension, factor)) return {trimmed_copy(text.substr(0, at)), unit};
   }
   return {text, ""};
 }
@@ -151,7 +147,7 @@ HeadText split_unit(const std::string& name) {
                                                          "kgf", "%", "Pa", "kPa", "MPa",  "mmHg",   "hPa", "deg", "s", "percent", "lbf"};
   const auto at = name.find_last_of(" _");
   if (at == name.npos || at == 0 || std::find(units.begin(), units.end(), name.substr(at + 1)) == units.end()) return {name, ""};
-  return {trimmed(name.substr(0, at)), name.substr(at + 1)};
+  return {trimmed_copy(name.substr(0, at)), name.substr(at + 1)};
 }
 
 std::string plain_name(std::string_view name) {

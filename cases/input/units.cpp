@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "cases/input/text.hpp"
+
 namespace snug::input {
 
 namespace {
@@ -124,12 +126,6 @@ std::string all_below(const std::string& text) {
 
 Unit parse_unit(const std::string& text) { return parsed(plain(text)); }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 struct Dimension {
   const char *unit, *name, *example;
 };
@@ -181,13 +177,12 @@ std::string likely_slip(const std::string& unit, const std::string& si_unit, dou
       }
       result += (word == "g" ? "gf" : word == "kg" ? "kgf" : word == "lb" || word == "lbs" ? "lbf" : word) + c, word.clear();
     }
-    return trimmed(result);
+    return trimmed_copy(result);
   };
   if (as_force() != unit && unit_factor(as_force(), si_unit, factor)) return (unit.find("lb") == unit.npos ? ": g is a mass, the force of a gram is gf: write \"" : ": lb is a mass, its force is lbf: write \"") + as_force() + "\"";
   return {};
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// What stands behind a number (which ends at `end`) and makes two of it: a decimal comma, a range, a deviation. Empty: nothing.
 std::string slip_in_number(const std::string& text, std::size_t end) {
@@ -213,7 +208,7 @@ std::string slip_in_number(const std::string& text, std::size_t end) {
 }  // namespace
 
 bool unit_factor(const std::string& unit, const std::string& si_unit, double& factor) {
-  const std::string name = trimmed(unit);
+  const std::string name = trimmed_copy(unit);
   if (!is_unit_name(name)) return false;
   const Unit to = parse_unit(si_unit);
   const std::string text = plain(name), divided = all_below(text);
@@ -224,7 +219,7 @@ bool unit_factor(const std::string& unit, const std::string& si_unit, double& fa
 }
 
 Quantity to_si(const std::string& text, const std::string& si_unit) {
-  const std::string trimmed_text = trimmed(text);
+  const std::string trimmed_text = trimmed_copy(text);
   if (trimmed_text.size() > 200)
     return {0.0, "a text of " + std::to_string(text.size()) + " characters is no quantity"};
   const char* begin = trimmed_text.data();
@@ -233,7 +228,7 @@ Quantity to_si(const std::string& text, const std::string& si_unit) {
   double number = 0.0;
   const auto [rest, fault] = std::from_chars(begin, end, number);
   if (fault != std::errc{}) return {0.0, "\"" + text + "\" does not begin with a number"};
-  const std::string unit = trimmed({rest, end});
+  const std::string unit = trimmed_copy({rest, end});
   if (unit.empty()) return {0.0, "\"" + text + "\" has no unit"};
   if (const std::string slip = slip_in_number(trimmed_text, rest - trimmed_text.data()); !slip.empty()) return {0.0, "\"" + text + "\"" + slip};
   double factor = 1.0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_points = 100'000;
 
-std::string trimmed(std::string text) {
+std::string bare(std::string text) {
   text.erase(0, text.find_first_not_of(" \t\r\""));
   text.erase(text.find_last_not_of(" \t\r\"") + 1);
   return text;
@@ -24,12 +24,12 @@ std::string trimmed(std::string text) {
 
 Curve::Column column_of(const std::string& head, const input::Location& where, UnitBook& units) {
   const auto open = head.find('['), close = head.rfind(']');
-  Curve::Column column{.name = trimmed(head.substr(0, open)), .unit = {}, .si = {}, .values = {}};
+  Curve::Column column{.name = bare(head.substr(0, open)), .unit = {}, .si = {}, .values = {}};
   if (open != head.npos && close != head.npos && close > open)
-    column.unit = trimmed(head.substr(open + 1, close - open - 1));
+    column.unit = bare(head.substr(open + 1, close - open - 1));
   const auto si = units.find(column.unit);
   if (!si || column.name.empty())
-    throw input::InputError(where, "the column \"" + trimmed(head) + "\" has no name, or no unit that is one",
+    throw input::InputError(where, "the column \"" + bare(head) + "\" has no name, or no unit that is one",
                             "write its head as in \"force [gf]\"");
   column.si = *si;
   return column;
@@ -40,7 +40,7 @@ std::pair<std::string, std::string> cells(const std::string& line, const input::
   const auto comma = line.find(',');
   if (comma == line.npos || line.find(',', comma + 1) != line.npos)
     throw input::InputError(where, "a line that has not two cells", "give two numbers, separated by a comma");
-  return {trimmed(line.substr(0, comma)), trimmed(line.substr(comma + 1))};
+  return {bare(line.substr(0, comma)), bare(line.substr(comma + 1))};
 }
 
 double number(const std::string& cell, const SiUnit& unit, const input::Location& where) {
@@ -61,7 +61,7 @@ Curve Curve::parse(const std::string& text, const std::string& file, UnitBook& u
   for (std::string line; std::getline(lines, line);) {
     const input::Location where{file, ++count, 1};
     if (count == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
-    if (trimmed(line).empty() || line[0] == '#') continue;
+    if (bare(line).empty() || line[0] == '#') continue;
     const auto [left, right] = cells(line, where);
     if (!std::exchange(has_head, true)) {
       curve.x = column_of(left, where, units), curve.y = column_of(right, where, units);

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "cases/input/text.hpp"
+
 namespace snug::materials {
 
 namespace {
@@ -63,12 +65,6 @@ void check_name(const std::string& what, const std::string& name, const input::L
         "take letters, digits, blanks inside and - _ . + / ( ) ', at most " + std::to_string(longest_name) + " bytes");
 }
 
-std::string trimmed(std::string text) {
-  text.erase(0, text.find_first_not_of(' '));
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
-}
-
 /// Takes the digits of a number from the beginning of a text, and the blanks before and behind.
 std::string take_number(std::string& text) {
   text.erase(0, text.find_first_not_of(' '));
@@ -77,7 +73,7 @@ std::string take_number(std::string& text) {
   const auto [rest, fault] = std::from_chars(digits, end, number);
   if (fault != std::errc{} || !std::isfinite(number)) return {};
   std::string result(begin, rest);
-  text = trimmed(std::string(rest, end));
+  text = input::trimmed_copy(std::string(rest, end));
   return result;
 }
 
@@ -120,7 +116,7 @@ bool is_no_finite_number(const std::string& text, UnitBook& units) {
   const char *begin = text.data(), *end = begin + text.size();
   const auto [rest, fault] = std::from_chars(begin + (begin != end && *begin == '+'), end, number);
   if (fault == std::errc::result_out_of_range) return true;
-  return fault == std::errc{} && !std::isfinite(number) && units.find(trimmed(std::string(rest, end))).has_value();
+  return fault == std::errc{} && !std::isfinite(number) && units.find(input::trimmed_copy(std::string(rest, end))).has_value();
 }
 
 /// A value with neither unit, uncertainty nor range may be a text.

@@ -16,7 +16,7 @@ namespace snug::materials {
 namespace {
 
 constexpr std::size_t longest = 2000, most_nodes = 500;
-constexpr int deepest = 50;
+constexpr int deepest_equation = 50;
 
 /// "(N/m)2 (m)-1" of the powers times `scale`.
 std::string unit_text(const std::map<std::string, double>& powers, double scale) {
@@ -114,7 +114,7 @@ class EquationParser {
   }
 
   int sum() {
-    if (++depth_ > deepest) refuse(fmt::format("nested more than {} deep", deepest), "make an item of a part of it");
+    if (++depth_ > deepest_equation) refuse(fmt::format("nested more than {} deep", deepest_equation), "make an item of a part of it");
     int left = product();
     for (;;) {
       const Op op = next() == '+' ? Op::add : Op::subtract;
@@ -135,7 +135,7 @@ class EquationParser {
     }
   }
   int signed_power() {
-    if (++depth_ > deepest) refuse(fmt::format("nested more than {} deep", deepest), "make an item of a part of it");
+    if (++depth_ > deepest_equation) refuse(fmt::format("nested more than {} deep", deepest_equation), "make an item of a part of it");
     int node = -1;
     if (take('-')) {
       const int of = signed_power();

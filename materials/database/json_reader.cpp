@@ -9,7 +9,7 @@ namespace snug::materials {
 
 namespace {
 
-constexpr std::size_t deepest = 20;
+constexpr std::size_t deepest_json = 20;
 constexpr const char* remedy = "write it as in {\"fabric\": {\"my knit\": {\"weight\": \"200 g/m2\"}}}";
 
 /// Takes the events of the parser; what is open stands on a stack, so that nothing is looked up and nothing recurses.
@@ -71,8 +71,8 @@ class ValueBuilder : public nlohmann::json_sax<nlohmann::json> {
   }
   template <class Data>
   bool open(Data data) {
-    if (open_.size() == deepest) fault_ = "JSON nested more than " + std::to_string(deepest) + " deep";
-    if (open_.size() == deepest) return false;
+    if (open_.size() == deepest_json) fault_ = "JSON nested more than " + std::to_string(deepest_json) + " deep";
+    if (open_.size() == deepest_json) return false;
     open_.push_back({value_of(std::move(data))});
     return true;
   }

@@ -14,7 +14,7 @@ namespace snug::materials {
 namespace {
 
 constexpr std::size_t longest = 4000, most_comparisons = 100;
-constexpr int deepest = 50;
+constexpr int deepest_query = 50;
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n'; }
 
@@ -70,7 +70,7 @@ class QuestionParser {
   }
 
   std::string any() {
-    if (++depth_ > deepest) refuse(fmt::format("nested more than {} deep", deepest), "ask for less at once");
+    if (++depth_ > deepest_query) refuse(fmt::format("nested more than {} deep", deepest_query), "ask for less at once");
     const std::size_t bounds = condition_.bounds.size();
     std::string sql = all();
     while (take_word("or")) {
@@ -86,7 +86,7 @@ class QuestionParser {
     return sql;
   }
   std::string part() {
-    if (++depth_ > deepest) refuse(fmt::format("nested more than {} deep", deepest), "ask for less at once");
+    if (++depth_ > deepest_query) refuse(fmt::format("nested more than {} deep", deepest_query), "ask for less at once");
     std::string sql;
     if (take_word("not")) {
       const std::size_t bounds = condition_.bounds.size();

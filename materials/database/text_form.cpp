@@ -16,7 +16,7 @@ namespace snug::materials {
 namespace {
 
 constexpr std::uintmax_t longest_file = 16 << 20;
-constexpr std::size_t most_data = 2000, deepest = 8;
+constexpr std::size_t most_data = 2000, deepest_item = 8;
 
 /// One line, without blanks at its ends.
 std::string one_line(std::string text) {
@@ -42,8 +42,8 @@ class DataReader {
       : entity_(entity), read_(read), units_(units), files_(files), diagnostics_(diagnostics) {}
 
   void read(const std::string& name, const input::Value& value, std::size_t depth = 0) {
-    if (depth > deepest)
-      return diagnostics_.error(value.where, name + " is nested more than " + std::to_string(deepest) + " deep",
+    if (depth > deepest_item)
+      return diagnostics_.error(value.where, name + " is nested more than " + std::to_string(deepest_item) + " deep",
                                 "name its parts as items of their own");
     if (const auto* text = value.text()) return add(datum_of(name, *text, units_), value.where);
     double storage = 0.0;

@@ -10,6 +10,7 @@
 
 #include "cases/input/suggestion.hpp"
 #include "mesh/placement/dress_form.hpp"
+#include "mesh/surface/vectors.hpp"
 #include "solver/fem/union_find.hpp"
 
 namespace snug::mesh {
@@ -19,8 +20,6 @@ namespace {
 constexpr double inside = 0.25;     // winding number: the ends of the core are open
 constexpr double across = 0.9;      // cosine between axis and limb beyond which a turn twists more than it bends
 constexpr double of_the_way = 0.9;  // from the joint to the nearer end of the core, that half of the usual blend takes at most
-
-Eigen::Vector3d vector(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
 std::string text(const Eigen::Vector3d& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * x.x(), 1e3 * x.y(), 1e3 * x.z()); }
 

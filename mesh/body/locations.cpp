@@ -13,6 +13,7 @@
 #include "mesh/body/location_shares.hpp"
 #include "mesh/body/section_centres.hpp"
 #include "mesh/body/sections.hpp"
+#include "mesh/surface/vectors.hpp"
 
 namespace snug::mesh {
 
@@ -20,8 +21,6 @@ namespace {
 
 using input::InputError;
 using input::LocationSpec;
-
-Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
 /// The skin's nodes with their neighbours along edges of the fine triangles (between all nodes of a facet).
 class Skin {

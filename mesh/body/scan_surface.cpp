@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "mesh/surface/morph.hpp"
+#include "mesh/surface/vectors.hpp"
 
 namespace snug::mesh {
 
@@ -33,15 +34,13 @@ Eigen::Matrix3d file_to_body(const input::ScanSpec& spec, const Location& where)
   return rotation;
 }
 
-struct Box {
+struct Extent {
   Eigen::Vector3d low, high;
-  explicit Box(const TriangleSurface& surface) : low(surface.vertices.front()), high(low) {
+  explicit Extent(const TriangleSurface& surface) : low(surface.vertices.front()), high(low) {
     for (const auto& x : surface.vertices) low = low.cwiseMin(x), high = high.cwiseMax(x);
   }
   double size() const { return (high - low).maxCoeff(); }
 };
-
-Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
 /// Points of the cuts, in the file's axes and metres.
 std::vector<Eigen::Vector3d> cut_points(const input::ScanSpec& spec) {
@@ -59,7 +58,7 @@ struct FileUnit {
 /// The unit in which the surface is as long as a person or a part of one (2 cm to 2.5 m) and holds the points of the cuts; of several that do
 /// the one in which two cuts take most of it, since what is scanned apart is cut near its ends. Where none holds them: below 3 the file
 /// counts in metres, from 230 on in millimetres, between in centimetres.
-FileUnit guessed_unit(const Box& box, const std::vector<Eigen::Vector3d>& cuts) {
+FileUnit guessed_unit(const Extent& box, const std::vector<Eigen::Vector3d>& cuts) {
   constexpr double shortest = 0.02, longest = 2.5, slack = 0.02;
   const auto holds = [&](double unit) {
     const Eigen::Vector3d way = Eigen::Vector3d::Constant(slack * unit * box.size()), low = unit * box.low - way, high = unit * box.high + way;
@@ -75,7 +74,7 @@ FileUnit guessed_unit(const Box& box, const std::vector<Eigen::Vector3d>& cuts) 
 }
 
 double guessed_unit(const TriangleSurface& surface, const input::ScanSpec& spec, std::vector<std::string>& said) {
-  const Box box(surface);
+  const Extent box(surface);
   const FileUnit unit = guessed_unit(box, cut_points(spec));
   said.push_back(fmt::format("unit left out: the file is taken to count in {}, which makes it {:.4g} m long", unit.name, box.size() * unit.size));
   return unit.size;

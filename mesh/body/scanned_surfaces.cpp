@@ -13,6 +13,7 @@
 #include "mesh/body/scan_surface.hpp"
 #include "mesh/surface/level_surface.hpp"
 #include "mesh/surface/mending.hpp"
+#include "mesh/surface/vectors.hpp"
 
 namespace snug::mesh {
 
@@ -23,8 +24,6 @@ using input::InputError;
 constexpr double cells_round_narrowest = 32.0, core_over_skin = 1.5;
 constexpr double fewest_cells_round = 12.0;  // of an inner surface: its curved edges then keep its volume to some thousandths
 constexpr double grid_over_size = 0.3;  // of the grid that inner surfaces are found on
-
-Eigen::Vector3d vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
 /// Of a tube of the same volume and area: 2 pi r with r = 2 V/A. A core that runs out at a cut may have rims of no size.
 double mean_girth(const TriangleSurface& surface) {

@@ -6,22 +6,22 @@
 #include <numbers>
 #include <utility>
 
+#include "mesh/surface/vectors.hpp"
+
 namespace snug::mesh {
 
 namespace {
 
 using Edge = std::pair<int, int>;
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// The cut edges of the surface: where each is cut and which cut edges its triangles lead to.
-struct Cut {
+struct SectionCut {
   std::map<Edge, Eigen::Vector2d> point;
   std::map<Edge, std::vector<Edge>> next;
 };
 
-Cut cut_triangles(const std::vector<Eigen::Vector3d>& vertices, std::span<const std::array<int, 3>> triangles, double z) {
-  Cut cut;
+SectionCut cut_triangles(const std::vector<Eigen::Vector3d>& vertices, std::span<const std::array<int, 3>> triangles, double z) {
+  SectionCut cut;
   for (const auto& t : triangles) {
     std::vector<Edge> crossed;
     for (int n = 0; n < 3; ++n) {
@@ -63,7 +63,7 @@ std::vector<SectionLoop> slice(const TriangleSurface& surface, double z) {
 
 std::vector<SectionLoop> slice(const std::vector<Eigen::Vector3d>& vertices,
                                std::span<const std::array<int, 3>> triangles, double z) {
-  Cut cut = cut_triangles(vertices, triangles, z);
+  SectionCut cut = cut_triangles(vertices, triangles, z);
   std::vector<SectionLoop> loops;
   while (!cut.point.empty()) {
     std::vector<Eigen::Vector2d> points;

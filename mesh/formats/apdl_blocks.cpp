@@ -49,7 +49,6 @@ FieldLine cut(std::string_view line, int number, const FixedColumns& columns, co
   return row;
 }
 
-constexpr std::size_t most_errors = most_model_errors;
 
 /// The format line of a block, or nothing and an error.
 FixedColumns format_of(const FieldLine& head, LineSource& lines) {
@@ -99,7 +98,7 @@ void read_nodes(const FieldLine& head, LineSource& lines, ApdlDeck& deck) {
     for (int c = 0; c < 3; ++c) at[c] = row.number_at(first_real + c);
     deck.nodes[number] = at;
     set_frame(deck, number, row.number_at(first_real + 3), row.number_at(first_real + 4), row.number_at(first_real + 5));
-    if (head.diagnostics.errors().size() > most_errors) return;
+    if (head.diagnostics.errors().size() > most_model_errors) return;
   }
 }
 
@@ -131,7 +130,7 @@ void read_elements(const FieldLine& head, LineSource& lines, ApdlDeck& deck) {
       element.nodes.push_back(row.integer_at(field++));
     }
     deck.elements.push_back(std::move(element));
-    if (head.diagnostics.errors().size() > most_errors) return;
+    if (head.diagnostics.errors().size() > most_model_errors) return;
   }
 }
 

@@ -14,7 +14,6 @@ namespace snug::mesh {
 
 namespace {
 
-constexpr std::size_t most_errors = most_model_errors;
 
 class ApdlReader {
  public:
@@ -26,7 +25,7 @@ class ApdlReader {
   int step_line() const { return loads_.line(); }
 
   ApdlDeck read() {
-    for (std::string_view line; source_.next(line) && diagnostics_.errors().size() < most_errors;) {
+    for (std::string_view line; source_.next(line) && diagnostics_.errors().size() < most_model_errors;) {
       line = line.substr(0, line.find('!'));
       for (std::size_t begin = 0; begin <= line.size();) {
         const std::size_t end = std::min(line.find('$', begin), line.size());

@@ -16,7 +16,6 @@ namespace snug::mesh {
 
 namespace {
 
-constexpr std::size_t most_errors = most_model_errors;
 
 class InpReader {
  public:
@@ -24,7 +23,7 @@ class InpReader {
       : source_(text, file, rules), file_(file), diagnostics_(diagnostics), loads_(sets_, file, diagnostics, load_step), load_step_(load_step) {}
 
   Model read() {
-    for (std::string_view line; source_.next(line) && diagnostics_.errors().size() < most_errors;) {
+    for (std::string_view line; source_.next(line) && diagnostics_.errors().size() < most_model_errors;) {
       const FieldLine fields{source_.file(), source_.number(), fields_of(line), diagnostics_};
       if (trimmed(line).starts_with("*"))
         keyword(fields);
@@ -216,7 +215,7 @@ class InpReader {
     const bool elastic = std::any_of(model_.materials.begin(), model_.materials.end(), [](const auto& m) { return m.law == ModelLaw::elastic; });
     if (loads_.steps() > 0 && !loads_.large_displacements() && elastic) model_.remarks.push_back(linear_step_remark(file_, "*STEP, NLGEOM", loads_.step_line()));
     for (const ModelElement& element : model_.elements)
-      if ((element.material < 0 || (is_shell(element.kind) && element.section < 0)) && diagnostics_.errors().size() < most_errors)
+      if ((element.material < 0 || (is_shell(element.kind) && element.section < 0)) && diagnostics_.errors().size() < most_model_errors)
         diagnostics_.error({file_, model_.element_line[element.number], 1}, fmt::format("element {} has no section", element.number),
                            is_shell(element.kind) ? "give its set a *SHELL SECTION with a thickness" : "give its set a *SOLID SECTION");
     finish(model_, file_, diagnostics_);

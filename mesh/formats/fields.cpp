@@ -8,11 +8,6 @@
 
 namespace snug::mesh {
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\f\v");
-  return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r\f\v") - first + 1);
-}
-
 std::vector<TextField> fields_of(std::string_view line, int offset) {
   std::vector<TextField> fields;
   for (std::size_t begin = 0;; ) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/text.hpp"
 
 namespace snug::mesh {
 
@@ -38,6 +39,6 @@ struct FieldLine {
 std::optional<double> number_of(std::string_view text);
 std::optional<int> integer_of(std::string_view text);
 std::string upper_case(std::string_view text);
-std::string_view trimmed(std::string_view text);
+using input::trimmed;
 
 }  // namespace snug::mesh

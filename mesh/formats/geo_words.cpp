@@ -4,13 +4,13 @@
 #include <set>
 
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/text.hpp"
 
 namespace snug::mesh {
 
 namespace {
 
 bool starts_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Walks over a script and keeps the place.
 class Scanner {
@@ -22,7 +22,7 @@ class Scanner {
       token_ = {GeoWord::sign, "", line_, column()};
       if (starts_name(here()))
         read_name();
-      else if (is_digit(here()) || (here() == '.' && is_digit(ahead())))
+      else if (input::is_digit(here()) || (here() == '.' && input::is_digit(ahead())))
         read_number();
       else if (here() == '"' || here() == '\'')
         read_text(here());
@@ -68,16 +68,16 @@ class Scanner {
 
   void read_name() {
     token_.kind = GeoWord::name;
-    while (starts_name(here()) || is_digit(here())) token_.text += here(), ++at_;
+    while (starts_name(here()) || input::is_digit(here())) token_.text += here(), ++at_;
   }
 
   void read_number() {
     token_.kind = GeoWord::number;
-    while (is_digit(here()) || here() == '.') token_.text += here(), ++at_;
-    if ((here() == 'e' || here() == 'E') && (is_digit(ahead()) || ahead() == '+' || ahead() == '-')) {
+    while (input::is_digit(here()) || here() == '.') token_.text += here(), ++at_;
+    if ((here() == 'e' || here() == 'E') && (input::is_digit(ahead()) || ahead() == '+' || ahead() == '-')) {
       token_.text += here(), ++at_;
       token_.text += here(), ++at_;
-      while (is_digit(here())) token_.text += here(), ++at_;
+      while (input::is_digit(here())) token_.text += here(), ++at_;
     }
   }
 

@@ -80,7 +80,6 @@ const std::vector<std::array<int, 2>>& model_edges(ElementKind kind) {
 
 namespace {
 
-constexpr std::size_t most_errors = most_model_errors;
 
 /// Reports what refers to nodes that are not there.
 class NodeCheck {
@@ -90,7 +89,7 @@ class NodeCheck {
     for (const ModelNode& node : model.nodes) known_.insert(node.number);
   }
   void operator()(int node, int line, const std::string& what) {
-    if (known_.contains(node) || diagnostics_.errors().size() >= most_errors) return;
+    if (known_.contains(node) || diagnostics_.errors().size() >= most_model_errors) return;
     diagnostics_.error({file_, line, line > 0 ? 1 : 0}, fmt::format("{} names node {}, which is not there", what, node),
                        "give the node its coordinates, or leave it out");
   }
@@ -105,7 +104,7 @@ template <class Items>
 void sort_by_number(Items& items, const char* what, const std::string& file, input::Diagnostics& diagnostics) {
   std::stable_sort(items.begin(), items.end(), [](const auto& a, const auto& b) { return a.number < b.number; });
   for (std::size_t i = 1; i < items.size(); ++i)
-    if (items[i].number == items[i - 1].number && diagnostics.errors().size() < most_errors)
+    if (items[i].number == items[i - 1].number && diagnostics.errors().size() < most_model_errors)
       diagnostics.error({file, 0, 0}, fmt::format("{} {} is there twice", what, items[i].number), "number each one apart");
 }
 
@@ -130,7 +129,7 @@ void finish(Model& model, const std::string& file, input::Diagnostics& diagnosti
   for (const ModelObliqueSupport& support : model.oblique_supports) check(support.node, 0, "a support");
   for (const ModelForce& force : model.forces) check(force.node, 0, "a force");
   for (const ModelPressure& pressure : model.pressures)
-    if (!elements.contains(pressure.element) && diagnostics.errors().size() < most_errors)
+    if (!elements.contains(pressure.element) && diagnostics.errors().size() < most_model_errors)
       diagnostics.error({file, 0, 0}, fmt::format("a pressure acts on element {}, which is not there", pressure.element),
                         "give the element, or leave the pressure out");
   for (auto& [name, nodes] : model.node_sets) {

@@ -45,7 +45,7 @@ struct Line {
   Location at(std::size_t word) const { return {file, number, words[std::min(word, words.size() - 1)].column}; }
 };
 
-double number_at(const Line& line, std::size_t word) {
+double coordinate_at(const Line& line, std::size_t word) {
   const std::string_view text = line.words[word].text;
   const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
   double value = 0.0;
@@ -58,7 +58,7 @@ Eigen::Vector3d point_at(const Line& line) {
   if (line.words.size() < 4)
     throw InputError(line.at(0), fmt::format("a vertex with {} coordinates", line.words.size() - 1),
                      fmt::format("write {} x y z", line.words[0].text));
-  return {number_at(line, 1), number_at(line, 2), number_at(line, 3)};
+  return {coordinate_at(line, 1), coordinate_at(line, 2), coordinate_at(line, 3)};
 }
 
 /// Vertex of a face: "7", "7/2/3", "7//3" or, counted from the end, "-1". The count from 1 becomes one from 0.

@@ -6,13 +6,13 @@
 #include <map>
 #include <utility>
 
+#include "mesh/surface/vectors.hpp"
+
 namespace snug::mesh {
 
 using Eigen::Vector2d;
 
 namespace {
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Of a point in the plane of a triangle.
 std::array<double, 3> barycentric(const FlatTriangle& t, const Vector2d& p) {

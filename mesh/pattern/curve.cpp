@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/surface/vectors.hpp"
 #include "solver/fem/element.hpp"
 
 namespace snug::mesh {
@@ -18,8 +19,6 @@ struct Overloaded : Cases... {
 };
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 Span reversed(const Span& span) {
   return std::visit(Overloaded{[](const Line& s) -> Span {

@@ -19,7 +19,7 @@ std::string colour(int s) {
   return fmt::format("hsl({:.0f},75%,{}%)", std::fmod(205.0 + 137.508 * s, 360.0), s % 2 == 0 ? 42 : 34);
 }
 
-std::string millimetres(double length) { return fmt::format("{:.0f} mm", 1e3 * length); }
+std::string whole_millimetres(double length) { return fmt::format("{:.0f} mm", 1e3 * length); }
 
 double distance(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
   const double share =
@@ -239,8 +239,8 @@ class Drawing {
   /// not at all where there is none for that.
   void draw_edge_name(int p, int edge) {
     const double length = ArcLength(pattern_.pieces[p].edges[edge].curve).length();
-    const std::string name = pattern_.pieces[p].edges[edge].name, long_text = name + "  " + millimetres(length),
-                      short_text = millimetres(length);
+    const std::string name = pattern_.pieces[p].edges[edge].name, long_text = name + "  " + whole_millimetres(length),
+                      short_text = whole_millimetres(length);
     const double size = 0.8 * text_, room = 1e3 * length - 1.5 * text_;
     const auto fits = [&](const std::string& what) { return 0.55 * size * static_cast<double>(what.size()) < room; };
     if (!fits(short_text)) return;

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "cases/input/suggestion.hpp"
+#include "cases/input/text.hpp"
 
 namespace snug::mesh {
 
@@ -14,17 +15,11 @@ namespace {
 using input::Diagnostics;
 using input::Location;
 
-std::string trimmed(std::string text) {
-  text.erase(0, text.find_first_not_of(" \t\n"));
-  text.erase(text.find_last_not_of(" \t\n") + 1);
-  return text;
-}
-
 std::vector<std::string> split(const std::string& text, const std::string& separator) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0;;) {
     const auto end = text.find(separator, begin);
-    parts.push_back(trimmed(text.substr(begin, end == std::string::npos ? end : end - begin)));
+    parts.push_back(input::trimmed_copy(text.substr(begin, end == std::string::npos ? end : end - begin)));
     if (end == std::string::npos) return parts;
     begin = end + separator.size();
   }
@@ -42,7 +37,7 @@ std::string take_range(std::string& name) {
   const auto open = name.find('[');
   if (open == std::string::npos) return {};
   const std::string range = name.substr(open);
-  name = trimmed(name.substr(0, open));
+  name = input::trimmed_copy(name.substr(0, open));
   return range;
 }
 

@@ -19,7 +19,7 @@ constexpr double units = 100.0;  // to the metre
 Json pair(const Vector2d& p) { return Json::array({p.x(), p.y()}); }
 
 /// A control point against the chord: along it and to its left, in lengths of the chord.
-Json relative(const Vector2d& from, const Vector2d& to, const Vector2d& control) {
+Json relative_point(const Vector2d& from, const Vector2d& to, const Vector2d& control) {
   const Vector2d edge = to - from, left(-edge.y(), edge.x()), off = control - from;
   return pair(Vector2d(off.dot(edge), off.dot(left)) / edge.squaredNorm());
 }
@@ -34,9 +34,9 @@ bool is_circle(const Arc& arc) {
 Json curvature(const Span& span) {
   const Vector2d from = at(span, 0.0), to = at(span, 1.0);
   if (const auto* q = std::get_if<Quadratic>(&span))
-    return {{"type", "quadratic"}, {"params", Json::array({relative(from, to, q->control)})}};
+    return {{"type", "quadratic"}, {"params", Json::array({relative_point(from, to, q->control)})}};
   if (const auto* c = std::get_if<Cubic>(&span))
-    return {{"type", "cubic"}, {"params", Json::array({relative(from, to, c->first), relative(from, to, c->second)})}};
+    return {{"type", "cubic"}, {"params", Json::array({relative_point(from, to, c->first), relative_point(from, to, c->second)})}};
   if (const auto* arc = std::get_if<Arc>(&span)) {
     const bool left = (arc->u.x() * arc->v.y() - arc->u.y() * arc->v.x()) * (arc->to - arc->from) > 0.0;
     const bool large = std::abs(arc->to - arc->from) > std::numbers::pi;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/surface/vectors.hpp"
+
 namespace snug::mesh {
 
 namespace {
@@ -15,8 +17,6 @@ using input::Diagnostics;
 constexpr double closed = 1e-5, shortest = 1e-5, largest = 20.0;  // m
 constexpr double flat = 2e-5;                                     // m, curves against their chords
 constexpr std::size_t most_segments = 30'000;                     // each may have to be held against each
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A chord of an edge.
 struct Segment {

@@ -97,15 +97,15 @@ void check(const PieceMesh& mesh, const std::vector<std::vector<Vector2d>>& loop
   if (!(std::abs(covered - whole) < 1e-6 * whole)) throw std::runtime_error("the triangles do not cover the piece");
 }
 
-using Side = std::pair<int, int>;
-Side side(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+using MeshEdge = std::pair<int, int>;
+MeshEdge mesh_edge(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Splits the inner sides whose ends become one vertex, in both triangles that have them.
 void split_folding_sides(const std::vector<int>& same, PieceMesh& mesh) {
-  std::map<Side, int> middle;
-  std::map<Side, int> uses;
+  std::map<MeshEdge, int> middle;
+  std::map<MeshEdge, int> uses;
   for (const auto& t : mesh.triangles)
-    for (int n = 0; n < 3; ++n) ++uses[side(t[n], t[(n + 1) % 3])];
+    for (int n = 0; n < 3; ++n) ++uses[mesh_edge(t[n], t[(n + 1) % 3])];
   const auto border = static_cast<int>(same.size());
   for (const auto& [ends, count] : uses)
     if (count == 2 && ends.second < border && same[ends.first] == same[ends.second]) {
@@ -117,7 +117,7 @@ void split_folding_sides(const std::vector<int>& same, PieceMesh& mesh) {
     for (std::size_t t = 0; t < count; ++t)
       for (int n = 0; n < 3; ++n) {
         const std::array<int, 3> old = mesh.triangles[t];
-        if (side(old[n], old[(n + 1) % 3]) != ends) continue;
+        if (mesh_edge(old[n], old[(n + 1) % 3]) != ends) continue;
         mesh.triangles[t] = {old[n], vertex, old[(n + 2) % 3]};
         mesh.triangles.push_back({vertex, old[(n + 1) % 3], old[(n + 2) % 3]});
         break;

@@ -19,7 +19,7 @@ using input::InputError;
 using Places = std::vector<Vector3d>;
 
 constexpr double closing = 0.003;         // m, of a seam in a step
-constexpr double above_shoulder = 0.010;  // m
+constexpr double clear_of_shoulder = 0.010;  // m
 
 /// The vertices of a sewn mesh, numbered without mid-edge nodes.
 struct Vertices {
@@ -85,7 +85,7 @@ double shoulder_lift(const DressForm& form, const SewnMesh& sewn, const Vertices
     const double top = shoulder_top(form.body, form.marks, middle.x());
     if (std::abs(middle.x()) > 1.2 * form.marks.armpit_half_width || middle.z() < 0.5 * (form.marks.armpit + top))
       continue;
-    sum += top + above_shoulder - middle.z();
+    sum += top + clear_of_shoulder - middle.z();
     ++count;
   }
   return count > 0 ? sum / count : 0.0;

@@ -17,7 +17,6 @@
 namespace snug::postproc {
 namespace {
 
-constexpr double significance_level = 0.05;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double squares_about_mean(const std::vector<double>& values, double mean) {

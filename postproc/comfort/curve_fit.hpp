@@ -9,6 +9,8 @@
 
 namespace snug::postproc {
 
+constexpr double significance_level = 0.05;  ///< a slope with a larger p-value says nothing
+
 /// What a trial measured at one location.
 struct Observations {
   std::string location;

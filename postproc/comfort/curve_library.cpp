@@ -19,8 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double significance_level = 0.05;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 using TableOf = std::function<input::Csv(const std::string& name, input::Diagnostics&)>;
 
@@ -67,15 +66,15 @@ SensationCurve curve_of(const CurveInput& from, input::Diagnostics& diagnostics)
     diagnostics.error(from.where, fmt::format("the range of {} does not grow", from.location),
                       "write range = [\"LOW\", \"HIGH\"]");
   curve.points = from.points;
-  curve.scatter = from.scatter.value_or(unknown);
-  curve.mean_rating = from.mean_rating.value_or(unknown);
-  curve.mean_scatter = from.mean_scatter.value_or(unknown);
-  curve.p_value = from.p_value.value_or(unknown);
+  curve.scatter = from.scatter.value_or(not_given);
+  curve.mean_rating = from.mean_rating.value_or(not_given);
+  curve.mean_scatter = from.mean_scatter.value_or(not_given);
+  curve.p_value = from.p_value.value_or(not_given);
   curve.significant = !(curve.p_value >= significance_level);
-  curve.r_squared = from.r_squared.value_or(unknown);
-  curve.largest_residual = from.largest_residual.value_or(unknown);
-  curve.slope_error = from.slope_error.value_or(unknown);
-  curve.intercept_error = from.intercept_error.value_or(unknown);
+  curve.r_squared = from.r_squared.value_or(not_given);
+  curve.largest_residual = from.largest_residual.value_or(not_given);
+  curve.slope_error = from.slope_error.value_or(not_given);
+  curve.intercept_error = from.intercept_error.value_or(not_given);
   curve.mean_pressure = from.mean_pressure.value_or(0.0);
   const double spread = from.pressure_spread.value_or(0.0);
   curve.pressure_squares = spread * spread * std::max(0, curve.points - 1);

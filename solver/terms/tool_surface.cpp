@@ -10,7 +10,7 @@ namespace {
 
 constexpr int parts = 4;  // of a facet's edge
 
-std::array<int, 4> corners(FacetKind kind) {
+std::array<int, 4> corners_of(FacetKind kind) {
   return kind == FacetKind::quad9 ? std::array{0, 2, 6, 8} : kind == FacetKind::quad4 ? std::array{0, 1, 2, 3} : std::array{0, 1, 2, 0};
 }
 
@@ -63,7 +63,7 @@ ToolSurface tool_surface(const mesh::BodyMesh& body, std::vector<mesh::FacetNode
   ToolSurface surface{.kind = facet_kind(body.kind), .facets = std::move(facets), .vertices = {}, .node_of_vertex = {}};
   surface.mean_edge = surface.facets.empty() ? 0.0 : mesh::mean_edge(body, surface.facets);
   std::map<int, int> number;
-  const std::array<int, 4> corner = corners(surface.kind);
+  const std::array<int, 4> corner = corners_of(surface.kind);
   for (const auto& facet : surface.facets) {
     auto& vertices = surface.vertices.emplace_back();
     for (int v = 0; v < 4; ++v) {

@@ -28,11 +28,6 @@ std::vector<std::map<std::string, double>> table(const std::filesystem::path& pa
   return rows;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST_F(Program, FrictionIsWrittenSaidAndTheSameOnTwoRanks) {
   // The thigh with friction on a coarse mesh: every file has shear and slip, the bound holds at every node of the skin, the
   // spread over the assumed donning paths is told, and two ranks give the answer of one to 1e-8.

@@ -13,11 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 const std::string coarse = " --set body.cells_around=8 --set body.cells_along=8 --set body.layers.1.cells=1 --set garment.cell_size=\"25 mm\" --set posture.0.move.turn=\"20 deg\"";
 
 // The knee on a coarse mesh, bent by 20 degrees and straightened: plan, terminal, summary, table, page and film have the postures; every state balances.

@@ -19,6 +19,11 @@ struct Outcome {
   std::string text;  ///< standard output and standard error together
 };
 
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 class Program : public testing::Test {
  protected:
   /// Nothing reaches the library of whoever tests: it is looked for in the folder, and runs are not recorded.

@@ -8,7 +8,7 @@
 namespace snug::tests {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A sleeve over the lower half of a rigid cylinder with a band of 6 N (150 N/m, 40 mm) along its upper edge, 12 % shorter than
 /// that; the fabric itself is cut 1 % smaller than the cylinder.

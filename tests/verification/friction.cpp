@@ -9,7 +9,7 @@ namespace {
 using namespace snug;
 using tests::Strip, tests::StripAnswer;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 StripAnswer print(const Strip& s) {
   const StripAnswer a = tests::run(s, 0.1, [](const postproc::Iteration& r) {

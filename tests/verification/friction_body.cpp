@@ -18,7 +18,7 @@ namespace {
 using namespace snug;
 using tests::Strip;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A band round a soft tube on a rigid bone, as wide as the tube is long: plane strain. Its ends are led round the tube.
 struct SoftDrum {

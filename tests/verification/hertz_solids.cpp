@@ -11,7 +11,7 @@
 namespace snug::tests {
 namespace {
 
-constexpr double scale = 10.0, poisson = 0.3;
+constexpr double scale = 10.0, solid_poisson = 0.3;
 
 /// Half of a cylinder round its line of contact, to 16 half widths b along and across the face; `cells` a half width.
 Solid cylinder(double b, double slice, int cells, CellKind kind, double side) {
@@ -23,7 +23,7 @@ Solid cylinder(double b, double slice, int cells, CellKind kind, double side) {
     const double x = along(u.x()), sagitta = R - std::sqrt(R * R - x * x), y = across(side > 0.0 ? u.y() : 1.0 - u.y());
     return Eigen::Vector3d(x, side * (y + sagitta * (1.0 - y / length)), slice * u.z());
   };
-  return {make_block(block), side > 0.0 ? "bottom" : "top", 200.0, poisson};
+  return {make_block(block), side > 0.0 ? "bottom" : "top", 200.0, solid_poisson};
 }
 
 // Two equal cylinders: half width (from the second moment of the pressure, b^2/4 for an ellipse), peak and profile.
@@ -62,7 +62,7 @@ Solid ball(double a, int cells, int round, double side) {
   };
   BodyMesh mesh = make_block(block);
   close_at_axis(mesh);
-  return {std::move(mesh), side > 0.0 ? "bottom" : "top", 1e3, poisson};
+  return {std::move(mesh), side > 0.0 ? "bottom" : "top", 1e3, solid_poisson};
 }
 
 // Two equal balls: radius of the contact (from the second moment of the pressure, 2 a^2/5), peak and profile.

@@ -10,7 +10,7 @@
 namespace snug::tests {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A sleeve as cut: rest radius (m), stiffness (N/m), heights between which it is placed (m), garment cell (m; 0: the usual).
 struct Cut {

@@ -45,9 +45,9 @@ mesh::BodyMesh dome(int n) {
   return body;
 }
 
-struct Answer { double rms = 0.0, at_one = 0.0, radius = 0.0, force = 0.0; };
+struct ObstacleAnswer { double rms = 0.0, at_one = 0.0, radius = 0.0, force = 0.0; };
 
-Answer solve(int n) {
+ObstacleAnswer solve_obstacle(int n) {
   mesh::GarmentMesh membrane = sheet({n, n}, {4.0, 4.0}, [](const Eigen::Vector2d& x) {
     const double r = (x - Eigen::Vector2d(2.0, 2.0)).norm();
     return shallow * free_height(std::max(r, 0.4));  // over the dome
@@ -72,7 +72,7 @@ Answer solve(int n) {
   settings.newton.penetration = 1e-6 * shallow * membrane.mean_edge;
   const auto path = solver::follow_path(scene, start, [](solver::State&, double) {}, settings, [](const postproc::Iteration&) {});
   EXPECT_TRUE(path.complete) << path.message;
-  Answer a;
+  ObstacleAnswer a;
   const auto& contact = *scene.find<solver::Contact>();
   double area = 0.0, count = 0.0, ring = 0.0;
   for (int node = 0; node < layout["garment"].count; ++node) {
@@ -93,10 +93,10 @@ Answer solve(int n) {
 // A stretched membrane over a dome meets the free boundary and the height of the obstacle problem; heights converge with
 // the second power of the cells, the boundary with the first.
 TEST(Obstacle, AMembraneOverADomeConvergesToTheFreeBoundaryProblem) {
-  std::vector<Answer> rows;
+  std::vector<ObstacleAnswer> rows;
   for (const int n : {8, 16, 32}) {
-    rows.push_back(solve(n));
-    const Answer& a = rows.back();
+    rows.push_back(solve_obstacle(n));
+    const ObstacleAnswer& a = rows.back();
     fmt::print("{} x {}: rms of u {:.2e}, u(1) {:+.2e}, contact radius {:+.3f}, force {:+.2e}\n", n, n, a.rms, a.at_one / at_one - 1.0,
                a.radius / contact_radius - 1.0, a.force / contact_force - 1.0);
     EXPECT_LE(std::abs(a.radius - contact_radius), 4.0 / n);  // a cell

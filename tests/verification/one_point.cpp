@@ -18,7 +18,7 @@ using materials::Loading, materials::one_point, materials::SolidLaw, materials::
 
 // ---- rows of tests/data
 
-struct Row {
+struct PointRow {
   std::map<std::string, std::string> text;
   const std::string& operator[](const std::string& key) const { return text.at(key); }
   double number(const std::string& key) const { return std::stod(text.at(key)); }
@@ -31,9 +31,9 @@ std::vector<std::string> cells(const std::string& line) {
   return parts;
 }
 
-std::vector<Row> rows(const std::string& file) {
+std::vector<PointRow> rows(const std::string& file) {
   std::ifstream stream(std::string(SNUG_SOURCE_DIR) + "/tests/data/" + file);
-  std::vector<Row> result;
+  std::vector<PointRow> result;
   std::vector<std::string> head;
   for (std::string line; std::getline(stream, line);) {
     if (line.empty() || line[0] == '#') continue;
@@ -42,7 +42,7 @@ std::vector<Row> rows(const std::string& file) {
       head = parts;
       continue;
     }
-    Row& row = result.emplace_back();
+    PointRow& row = result.emplace_back();
     for (std::size_t i = 0; i < head.size(); ++i) row.text[head[i]] = parts.at(i);
   }
   EXPECT_FALSE(result.empty()) << file;
@@ -115,7 +115,7 @@ TEST(OnePoint, GeneralGradient) {
   Eigen::Matrix3d F;
   F << 1.1, 0.2, 0.0, 0.05, 0.95, 0.1, 0.0, 0.1, 1.05;
   Worst table("material point, general F, 7 laws", 3e-9, "reference book 1.1");  // the book prints 9 to 10 digits
-  for (const Row& row : rows("one_point_general.csv")) {
+  for (const PointRow& row : rows("one_point_general.csv")) {
     const auto r = materials::coupled(law_of_general_row(row["law"]), F);
     const Eigen::Matrix3d s = r.stress * F.transpose() / F.determinant();
     postproc::Stress stress;
@@ -137,7 +137,7 @@ TEST(OnePoint, CompressibleStates) {
   // Stretched to 1.5, the free side settles where its stress vanishes: three volumetric forms and the law without
   // split, Poisson ratios from 0.3 to 0.49999.
   Worst table("uniaxial, equibiaxial, planar to 1.5", 1e-9, "reference book 1.3");
-  for (const Row& row : rows("one_point_compressible.csv")) {
+  for (const PointRow& row : rows("one_point_compressible.csv")) {
     const auto state = one_point(neo_hooke(row["law"], row.number("poisson_ratio")), loading(row["test"]), 1.5);
     ASSERT_TRUE(state) << row["law"] << row["test"] << row["poisson_ratio"];
     const std::string name = row["law"] + " " + row["test"] + " nu " + row["poisson_ratio"] + " ";
@@ -151,7 +151,7 @@ TEST(OnePoint, CompressibleStates) {
 TEST(OnePoint, HydrostaticPressure) {
   // Pressure at a given J in the three volumetric forms.
   Worst table("hydrostatic pressure", 1e-10, "reference book 1.3");
-  for (const Row& row : rows("one_point_hydrostatic.csv"))
+  for (const PointRow& row : rows("one_point_hydrostatic.csv"))
     for (const std::string letter : {"V1", "V2", "V3"})
       table.add(letter + " J " + row["J"], -Volumetric{form(letter), 1000.0}.at(row.number("J")).pressure,
                 row.number(letter));
@@ -160,7 +160,7 @@ TEST(OnePoint, HydrostaticPressure) {
 TEST(OnePoint, Oedometer) {
   // Confined compression by 20 kPa: the stretch, found by bisection on the law's stress.
   Worst table("oedometer at -20 kPa", 1e-10, "reference book 1.3");
-  for (const Row& row : rows("one_point_oedometer.csv"))
+  for (const PointRow& row : rows("one_point_oedometer.csv"))
     for (const std::string letter : {"V1", "V2"}) {
       const SolidLaw law = neo_hooke(letter, row.number("poisson_ratio"));
       double low = 0.3, high = 1.0;
@@ -174,7 +174,7 @@ TEST(OnePoint, Oedometer) {
 
 // With kappa = 1e7 mu the volume change is about p/kappa; |p| <= 105 kPa at mu = 10 kPa makes it 1e-6, and stresses
 // follow it with a factor of a few. The shear rows keep the volume and do not depend on kappa.
-double quantity_of_row(const SolidLaw& law, const Row& row) {
+double quantity_of_row(const SolidLaw& law, const PointRow& row) {
   const auto state = one_point(law, loading(row["test"]), row.number("amount"));
   if (!state) return std::numeric_limits<double>::quiet_NaN();
   if (row["test"].starts_with("sigma") || row["test"] == "shear") return state->cauchy_stress;
@@ -187,7 +187,7 @@ double quantity_of_row(const SolidLaw& law, const Row& row) {
 TEST(OnePoint, IncompressibleLimit) {
   // Nearly incompressible solids come as near to the incompressible closed forms as kappa = 1e7 mu lets them.
   Worst table("incompressible closed forms by kappa = 1e7 mu", 1e-5, "reference book 1.2");
-  for (const Row& row : rows("one_point_incompressible.csv")) {
+  for (const PointRow& row : rows("one_point_incompressible.csv")) {
     const double mu = initial_shear_modulus(incompressible(row["law"], 1.0));
     table.add(row["law"] + " " + row["test"] + " " + row["amount"],
               quantity_of_row(incompressible(row["law"], 1e7 * mu), row), row.number("value"));
@@ -197,7 +197,7 @@ TEST(OnePoint, IncompressibleLimit) {
 TEST(OnePoint, IncompressibleMembrane) {
   // The skin membrane is exactly incompressible: nominal stresses of all laws to the printed eight digits.
   Worst table("incompressible closed forms by the skin membrane", 6e-8, "reference book 1.2");
-  for (const Row& row : rows("one_point_incompressible.csv")) {
+  for (const PointRow& row : rows("one_point_incompressible.csv")) {
     const double l = row.number("amount");
     const Loading test = loading(row["test"]);
     if (test == Loading::shear) continue;

@@ -15,7 +15,7 @@
 namespace snug::tests {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Tube {
   double radius = 0.05, length = 0.06, thickness = 1e-3, youngs = 2e8, poisson = 0.3, foundation = 4e7;  ///< m, Pa, Pa/m
@@ -50,7 +50,7 @@ mesh::Model shell_tube(const Tube& tube) {
 }
 
 /// T/r of a sleeve of 500 N/m (S = k E) and rest radius 44 mm that keeps its length.
-double pressure(double r) {
+double shell_pressure(double r) {
   const double l = r / 0.044;
   return 500.0 * 0.5 * (l * l - 1.0) * l / r;
 }
@@ -84,13 +84,13 @@ TEST(ShellSleeve, PressesAnElasticCylinderOnSpringsAsTheRingSays) {
     const Tube tube{.inside_out = inside_out};
     const double ring = tube.youngs * tube.thickness / (tube.radius * tube.radius) + tube.foundation;
     double w = 0.0;
-    for (int k = 0; k < 100; ++k) w = pressure(tube.radius - w) / ring;
+    for (int k = 0; k < 100; ++k) w = shell_pressure(tube.radius - w) / ring;
     const input::Case c = sleeve_on(tube);
     const postproc::RunResult result = tests::solve(c, meshes_of(tube, c));
     EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
     const std::string scene = inside_out ? "sleeve on a shell, file inside out" : "sleeve on a shell";
     book(scene, "displacement of the skin, m", result.numbers.at("mean_skin_radial_displacement_m"), -w, 2e-3, "ring on springs: p = (E t/R^2 + k) w");
-    book(scene, "contact pressure, Pa", result.numbers.at("mean_contact_pressure_Pa"), pressure(tube.radius - w), 1e-3, "T(r)/r with it");
+    book(scene, "contact shell_pressure, Pa", result.numbers.at("mean_contact_pressure_Pa"), shell_pressure(tube.radius - w), 1e-3, "T(r)/r with it");
     EXPECT_LE(result.balance.force_error.norm(), 1e-9 * result.balance.contact_force);
   }
 }

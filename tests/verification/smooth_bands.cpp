@@ -10,7 +10,7 @@ namespace {
 using namespace snug;
 using tests::Strip;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 solver::PathSettings settings_for(const mesh::GarmentMesh& mesh) {
   solver::PathSettings settings;

@@ -8,7 +8,7 @@
 namespace snug::tests {
 namespace {
 
-constexpr double bore = 0.02, interface = 0.04, rim = 0.06, slice = 4e-3;  // radii and length, m
+constexpr double bore = 0.02, interface = 0.04, rim = 0.06, axial_length = 4e-3;  // radii and length, m
 
 /// A quarter of a tube from `inner` to `outer` (m): "bottom" and "top" are its bore and its rim.
 BodyMesh quarter(double inner, double outer, std::array<int, 3> cells, CellKind kind) {
@@ -16,7 +16,7 @@ BodyMesh quarter(double inner, double outer, std::array<int, 3> cells, CellKind 
   block.cells = cells, block.kind = kind;
   block.map = [=](const Eigen::Vector3d& u) {
     const double r = inner * std::pow(outer / inner, u.y()), angle = 0.5 * std::numbers::pi * (1.0 - u.x());
-    return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), slice * u.z());
+    return Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), axial_length * u.z());
   };
   return make_block(block);
 }

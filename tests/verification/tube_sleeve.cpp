@@ -18,12 +18,12 @@ struct Exact {
 };
 
 /// Relative errors of a run; `nodal` runs over skin nodes farther than one garment cell from the hems.
-struct Errors {
+struct SleeveErrors {
   double pressure = 0.0, displacement = 0.0, nodal_rms = 0.0, nodal_max = 0.0, seconds = 0.0;
   long unknowns = 0;
 };
 
-void measure_nodes(const postproc::BodyResult& body, double hem, double exact, Errors& errors) {
+void measure_nodes(const postproc::BodyResult& body, double hem, double exact, SleeveErrors& errors) {
   double top = 0.0, sum = 0.0;
   for (const auto& node : body.nodes) top = std::max(top, node.z());
   std::vector<char> skin(body.nodes.size(), 0);
@@ -42,12 +42,12 @@ void measure_nodes(const postproc::BodyResult& body, double hem, double exact, E
   if (count > 0) errors.nodal_rms = std::sqrt(sum / static_cast<double>(count));
 }
 
-Errors run_against(const Exact& exact, const input::Case& description) {
+SleeveErrors run_against(const Exact& exact, const input::Case& description) {
   const solver::Meshes meshes = make_meshes(description);
   const auto start = std::chrono::steady_clock::now();
   const postproc::RunResult result = tests::solve(description, meshes);
   EXPECT_EQ(result.status, postproc::Status::converged) << result.message;
-  Errors errors;
+  SleeveErrors errors;
   errors.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for (const auto& [part, unknowns] : result.unknowns) errors.unknowns += unknowns;
   errors.pressure = result.numbers.at("mean_contact_pressure_Pa") / exact.pressure - 1.0;
@@ -56,22 +56,22 @@ Errors run_against(const Exact& exact, const input::Case& description) {
   return errors;
 }
 
-void print_head() {
+void print_sleeve_head() {
   fmt::print("{:28} {:>9} {:>11} {:>11} {:>10} {:>10} {:>7} {:>7} {:>7}\n", "mesh or row", "unknowns", "p error",
              "u error", "nodal rms", "nodal max", "order p", "order u", "seconds");
 }
 
-void print_row(const std::string& name, const Errors& e, const Errors* coarser = nullptr) {
-  const auto order = [&](double Errors::*error) {
+void print_row(const std::string& name, const SleeveErrors& e, const SleeveErrors* coarser = nullptr) {
+  const auto order = [&](double SleeveErrors::*error) {
     return coarser ? fmt::format("{:.2f}", std::log2(std::abs((*coarser).*error / (e.*error)))) : std::string("-");
   };
   fmt::print("{:28} {:9} {:11.3e} {:11.3e} {:10.2e} {:10.2e} {:>7} {:>7} {:7.1f}\n", name, e.unknowns, e.pressure,
-             e.displacement, e.nodal_rms, e.nodal_max, order(&Errors::pressure), order(&Errors::displacement),
+             e.displacement, e.nodal_rms, e.nodal_max, order(&SleeveErrors::pressure), order(&SleeveErrors::displacement),
              e.seconds);
 }
 
 /// Both into the verification book.
-void book_both(const std::string& name, const Exact& exact, const Errors& errors, double tolerance) {
+void book_both(const std::string& name, const Exact& exact, const SleeveErrors& errors, double tolerance) {
   const std::string source = "reference book 1.6 C, collocation";
   book("1.6 C sleeve, " + name, "contact pressure, Pa", exact.pressure * (1.0 + errors.pressure), exact.pressure, tolerance,
        source);
@@ -91,16 +91,16 @@ TubeCase level(int l) {
 
 TEST(TubeSleeve, TheShippedCaseMeetsTheExactPressureAndDisplacementWithinAThousandth) {
   const input::Case shipped = input::read_case(std::string(SNUG_SOURCE_DIR) + "/cases/verification/tube-sleeve");
-  const Errors errors = run_against(svk_049, shipped);
-  print_head();
+  const SleeveErrors errors = run_against(svk_049, shipped);
+  print_sleeve_head();
   print_row("cases/verification", errors);
   book_both("shipped case", svk_049, errors, 1e-3);
   EXPECT_LE(errors.nodal_max, 1e-2);
 }
 
 TEST(TubeSleeve, ErrorsFallAtLeastWithTheSquareOfTheCellSize) {
-  print_head();
-  std::vector<Errors> errors;
+  print_sleeve_head();
+  std::vector<SleeveErrors> errors;
   for (int l = 0; l < 3; ++l) {
     errors.push_back(run_against(svk_049, describe_tube(level(l))));
     const TubeCase t = level(l);
@@ -116,9 +116,9 @@ TEST(TubeSleeve, ErrorsFallAtLeastWithTheSquareOfTheCellSize) {
 
 // A garment lies on every kind of cell: curved triangles converge like curved quadrilaterals, straight ones with h^2.
 TEST(TubeSleeve, EveryKindOfCellCarriesAGarment) {
-  print_head();
+  print_sleeve_head();
   for (const input::Elements elements : {input::Elements::P2P1, input::Elements::Q1P0}) {
-    std::vector<Errors> errors;
+    std::vector<SleeveErrors> errors;
     for (int l = 0; l < 3; ++l) {
       input::Case description = describe_tube(level(l));
       description.body->elements = elements;
@@ -133,13 +133,13 @@ TEST(TubeSleeve, EveryKindOfCellCarriesAGarment) {
 }
 
 /// A row of the table in reference book 1.6 C.
-struct Row {
+struct SleeveRow {
   int layers;                         ///< 1: mu = 10 kPa from 20 to 55 mm; 3: muscle, fat and solid skin
   std::string poisson_ratio, tension;
   double pressure, outer_radius;      ///< kPa, mm
 };
 
-const Row rows[] = {
+const SleeveRow sleeve_rows[] = {
     {1, "0.45", "T=200(l-1)", 0.89514028723, 54.78980324762},
     {1, "0.45", "T=1000(l-1)", 4.21599591610, 54.02112507964},
     {1, "0.45", "T=100e+2000e^3", 2.39189322748, 54.44116519977},
@@ -194,8 +194,8 @@ void make_three_layers(const std::string& poisson_ratio, input::Case& c) {
 }
 
 TEST(TubeSleeve, EveryTissueAndFabricLawMeetsItsRowWithinATenThousandth) {
-  print_head();
-  for (const Row& row : rows) {
+  print_sleeve_head();
+  for (const SleeveRow& row : sleeve_rows) {
     TubeCase tube = level(1);
     tube.tissue = "law = 'neo-Hooke'\nshear_modulus = '10 kPa'\npoisson_ratio = " + row.poisson_ratio;
     tube.fabric = fabric_of(row.tension);
@@ -203,7 +203,7 @@ TEST(TubeSleeve, EveryTissueAndFabricLawMeetsItsRowWithinATenThousandth) {
     input::Case c = describe_tube(tube);
     if (row.layers == 3) make_three_layers(row.poisson_ratio, c);
     const Exact exact = {1e3 * row.pressure, 1e-3 * (row.outer_radius - 55.0)};
-    const Errors errors = run_against(exact, c);
+    const SleeveErrors errors = run_against(exact, c);
     const std::string name = fmt::format("{}, nu {} {}", row.layers == 1 ? "one layer" : "three layers", row.poisson_ratio, row.tension);
     print_row(name, errors);
     book_both(name, exact, errors, 1e-4);

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "cases/input/diagnostics.hpp"
+#include "cases/input/text.hpp"
 
 namespace snug::app {
 
@@ -25,16 +26,11 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? "" : text.substr(first, last - first + 1);
-}
-
 /// "190 mm" as 190 and "mm".
 std::optional<std::pair<double, std::string>> measured(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  const std::string unit = trimmed(end);
+  const std::string unit = input::trimmed_copy(end);
   const bool names_a_unit = unit.empty() || std::isalpha(static_cast<unsigned char>(unit[0])) || unit[0] == '%';  // "001-01" is a fabric
   if (end == text.c_str() || !std::isfinite(value) || !names_a_unit) return std::nullopt;
   return std::pair{value, unit};
@@ -44,7 +40,7 @@ std::string with_unit(double value, const std::string& unit) { return fmt::forma
 
 Sweep steps_of(const std::string& text, const std::string& key, const std::vector<std::string>& parts) {
   const char* like = "write for example garment.pattern.flat_circumference=\"190 mm:220 mm:4\"";
-  const auto from = measured(trimmed(parts[0])), to = measured(trimmed(parts[1])), count = measured(trimmed(parts[2]));
+  const auto from = measured(input::trimmed_copy(parts[0])), to = measured(input::trimmed_copy(parts[1])), count = measured(input::trimmed_copy(parts[2]));
   if (!from || !to) throw wrong(text, fmt::format("\"{}\" is no number", !from ? parts[0] : parts[1]), like);
   const std::string unit = to->second.empty() ? from->second : to->second;
   if (!from->second.empty() && from->second != unit) throw wrong(text, fmt::format("it goes from {} to {}", from->second, unit), "give both ends in one unit");
@@ -62,13 +58,13 @@ Sweep steps_of(const std::string& text, const std::string& key, const std::vecto
 
 Sweep sweep_of(const std::string& text) {
   const auto equals = text.find('=');
-  const std::string key = trimmed(text.substr(0, equals)), values = equals == text.npos ? "" : text.substr(equals + 1);
-  if (key.empty() || trimmed(values).empty()) throw wrong(text, "there is no KEY=FROM:TO:N", "write for example --sweep \"garment.pattern.flat_circumference=190 mm:220 mm:4\", or KEY=A,B,C");
+  const std::string key = input::trimmed_copy(text.substr(0, equals)), values = equals == text.npos ? "" : text.substr(equals + 1);
+  if (key.empty() || input::trimmed_copy(values).empty()) throw wrong(text, "there is no KEY=FROM:TO:N", "write for example --sweep \"garment.pattern.flat_circumference=190 mm:220 mm:4\", or KEY=A,B,C");
   if (const std::vector<std::string> parts = split(values, ':'); parts.size() == 3) return steps_of(text, key, parts);
   Sweep sweep{key, {}, {}, {}};
   for (const std::string& value : split(values, ',')) {
-    if (trimmed(value).empty()) throw wrong(text, "a value is empty", "write KEY=A,B,C");
-    sweep.values.push_back(trimmed(value));
+    if (input::trimmed_copy(value).empty()) throw wrong(text, "a value is empty", "write KEY=A,B,C");
+    sweep.values.push_back(input::trimmed_copy(value));
     if (const auto number = measured(sweep.values.back())) sweep.numbers.push_back(number->first), sweep.unit = number->second;
   }
   const auto as_number = [&](std::size_t i) { return with_unit(sweep.numbers[i], sweep.unit); };

@@ -7,6 +7,7 @@
 
 #include "cases/input/files.hpp"
 #include "cases/input/suggestion.hpp"
+#include "cases/input/text.hpp"
 #include "cases/input/toml_edit.hpp"
 #include "cases/input/units.hpp"
 #include "postproc/units.hpp"
@@ -29,17 +30,12 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == text.npos ? "" : text.substr(first, last - first + 1);
-}
-
 /// "Ankle = 20 mmHg" as an entry of target.pressures. Throws input::InputError.
 std::string wanted_entry(const std::string& text, const std::vector<std::string>& locations) {
   const auto wrong = [&](const std::string& found, const std::string& remedy) { return input::InputError({"--target " + quoted(text), 0, 0}, found, remedy); };
   const std::size_t equals = text.rfind('=');
   if (equals == text.npos) throw wrong("there is no PLACE = PRESSURE", "write for example --target \"Ankle = 20 mmHg\"");
-  const std::string place = trimmed(text.substr(0, equals)), pressure = trimmed(text.substr(equals + 1));
+  const std::string place = input::trimmed_copy(text.substr(0, equals)), pressure = input::trimmed_copy(text.substr(equals + 1));
   const input::Quantity value = input::to_si(pressure, "Pa");
   if (!value.ok() || !(value.value > 0.0))
     throw wrong(value.ok() ? "the pressure is not above 0" : fmt::format("\"{}\" is no pressure: {}", pressure, value.found), "write for example \"20 mmHg\", \"2.7 kPa\" or \"27 gf/cm2\"");

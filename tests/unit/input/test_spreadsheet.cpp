@@ -56,7 +56,7 @@ std::string workbook(const std::string& cells) {
                  {"xl/worksheets/sheet2.xml", xml + "<worksheet><sheetData>" + cells + "</sheetData></worksheet>"}});
 }
 
-const std::string head = "<row r=\"2\"><c r=\"A2\" t=\"s\"><v>0</v></c><c r=\"B2\" t=\"s\"><v>1</v></c><c r=\"C2\" t=\"inlineStr\"><is><t>note</t></is></c></row>";
+const std::string head_row = "<row r=\"2\"><c r=\"A2\" t=\"s\"><v>0</v></c><c r=\"B2\" t=\"s\"><v>1</v></c><c r=\"C2\" t=\"inlineStr\"><is><t>note</t></is></c></row>";
 
 struct Read {
   Csv csv;
@@ -80,7 +80,7 @@ std::string faults(const Read& read) {
 
 TEST(Spreadsheet, TheFirstSheetOfAWorkbookIsATable) {
   // Rows above are empty, cells are left out, a formula has its value, a number has an exponent, a row of blanks ends the table.
-  const Read sheet = read(workbook(head + "<row r=\"3\"><c r=\"A3\"><v>1.25E2</v></c><c r=\"B3\"><f>30+4.5</f><v>34.5</v></c><c r=\"C3\" t=\"s\"><v>2</v></c></row>"
+  const Read sheet = read(workbook(head_row + "<row r=\"3\"><c r=\"A3\"><v>1.25E2</v></c><c r=\"B3\"><f>30+4.5</f><v>34.5</v></c><c r=\"C3\" t=\"s\"><v>2</v></c></row>"
                                           "<row r=\"5\"><c r=\"A5\"><v>250</v></c><c r=\"B5\" t=\"str\"><f>T(1)</f><v>36,25</v></c></row><row r=\"6\"><c r=\"C6\" s=\"4\"/></row>"));
   EXPECT_EQ(faults(sheet), "");
   Diagnostics diagnostics;
@@ -92,14 +92,14 @@ TEST(Spreadsheet, TheFirstSheetOfAWorkbookIsATable) {
 }
 
 TEST(Spreadsheet, FormulasWithoutAValueAndErrorsAreRefusedWithTheirCell) {
-  const std::string text = faults(read(workbook(head + "<row r=\"3\"><c r=\"A3\"><f>A1*2</f></c><c r=\"B3\" t=\"e\"><f>1/0</f><v>#DIV/0!</v></c></row><row r=\"4\"><c r=\"AB4\" t=\"s\"><v>9</v></c></row>")));
+  const std::string text = faults(read(workbook(head_row + "<row r=\"3\"><c r=\"A3\"><f>A1*2</f></c><c r=\"B3\" t=\"e\"><f>1/0</f><v>#DIV/0!</v></c></row><row r=\"4\"><c r=\"AB4\" t=\"s\"><v>9</v></c></row>")));
   EXPECT_THAT(text, HasSubstr("the formula in A3 has no value"));
   EXPECT_THAT(text, HasSubstr("there is #DIV/0! in B3"));
   EXPECT_THAT(text, HasSubstr("the text of AB4 is missing"));
 }
 
 TEST(Spreadsheet, WhatStandsBesideTheTableIsSaidWithItsRow) {
-  const Read sheet = read(workbook(head + "<row r=\"3\"><c r=\"A3\"><v>1</v></c></row><row r=\"4\"><c r=\"E4\"><v>7</v></c></row>"));
+  const Read sheet = read(workbook(head_row + "<row r=\"3\"><c r=\"A3\"><v>1</v></c></row><row r=\"4\"><c r=\"E4\"><v>7</v></c></row>"));
   EXPECT_EQ(faults(sheet), "5 cells where the head has 3 columns | give every column a head, and keep what is beside the table on another sheet\n");
   EXPECT_EQ(sheet.diagnostics.errors()[0].where.line, 4);
 }
@@ -131,7 +131,7 @@ TEST(Spreadsheet, UnitsInARowBelowTheHeadAreTaken) {
 }
 
 TEST(Spreadsheet, WhatIsNoSuchWorkbookIsRefused) {
-  const std::string whole = workbook(head);
+  const std::string whole = workbook(head_row);
   EXPECT_THAT(faults(read(zip_of({{"content.xml", "<office/>"}, {"mimetype", "application/vnd.oasis.opendocument.spreadsheet"}}))), HasSubstr("nor an .xlsx workbook | save its sheet as .xlsx"));
   EXPECT_THAT(faults(read(whole.substr(0, whole.size() / 2))), HasSubstr("nor an .xlsx workbook"));
   EXPECT_THAT(faults(read("\xD0\xCF\x11\xE0old")), HasSubstr("an old spreadsheet program, or one with a password"));

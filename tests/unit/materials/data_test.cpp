@@ -15,7 +15,7 @@ using input::InputError, input::MaterialEntry;
 using materials::Fabric, materials::find_fabric, materials::find_tissue, materials::NeoHooke;
 
 MaterialEntry named(const std::string& name) { return {.name = name, .table = {}, .where = {"case.toml", 7, 12}}; }
-MaterialEntry inline_table(const std::string& text) {
+MaterialEntry inline_entry(const std::string& text) {
   const input::Location where{"case.toml", 7, 12};
   return {.name = {}, .table = input::table_of(text, where), .where = where};
 }
@@ -96,7 +96,7 @@ TEST(Data, OgdenSetsHoldWhatTheirSourcesPrint) {
 TEST(Data, EveryLawCanBeWrittenInline) {
   // Each law reads from a table; the pair of moduli may be the bulk modulus, and the volumetric form is taken.
   using namespace materials;
-  const auto law = [](const std::string& text) { return find_tissue(inline_table(text)).law; };
+  const auto law = [](const std::string& text) { return find_tissue(inline_entry(text)).law; };
   const auto mooney = law(
       R"({ law = "Mooney-Rivlin", C10 = "4 kPa", C01 = "1 kPa", bulk_modulus = "500 kPa", volumetric = "quadratic" })");
   EXPECT_NEAR(initial_shear_modulus(mooney), 10e3, 1e-9);
@@ -141,7 +141,7 @@ TEST(Data, WrongLawsSayWhatToWrite) {
       {R"({ law = "compressible-neo-Hooke", shear_modulus = "1 kPa", bulk_modulus = "1 MPa" })",
        "7:", "law with split"}};
   for (const Wrong& wrong : all) {
-    const std::string error = error_of([&] { find_tissue(inline_table(wrong.table)); });
+    const std::string error = error_of([&] { find_tissue(inline_entry(wrong.table)); });
     EXPECT_NE(error.find("case.toml:" + wrong.place), std::string::npos) << wrong.table << "\n" << error;
     EXPECT_NE(error.find(wrong.remedy), std::string::npos) << wrong.table << "\n" << error;
   }
@@ -161,23 +161,23 @@ TEST(Data, UnknownNamesGetTheNearestOne) {
 TEST(Data, InlineTissue) {
   // A table of the case's own values is a tissue.
   const auto tissue =
-      find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulus = "10 kPa", poisson_ratio = 0.49 })toml"));
+      find_tissue(inline_entry(R"toml({ law = "neo-Hooke", shear_modulus = "10 kPa", poisson_ratio = 0.49 })toml"));
   EXPECT_DOUBLE_EQ(initial_shear_modulus(tissue.law), 10e3);
   EXPECT_NEAR(initial_bulk_modulus(tissue.law), 1490e3 / 3, 1e-8);
 }
 
 TEST(Data, InlineFabrics) {
   // Linear, cubic and KES tables, in one line or several, are fabrics; units are converted, a weft of its own is taken.
-  const Fabric linear = find_fabric(inline_table(
+  const Fabric linear = find_fabric(inline_entry(
       R"toml({ law = "linear", warp = "1000 N/m", weft = "300 N/m", shear = "250 N/m", poisson = 0.5 })toml"));
   EXPECT_NEAR(linear.warp.at(0.1).force, 100, 1e-12);
   EXPECT_NEAR(linear.weft.at(0.1).force, 30, 1e-12);
   EXPECT_NEAR(linear.coupling, 150, 1e-12);
   EXPECT_NEAR(linear.shear, 250, 1e-12);
   const Fabric cubic =
-      find_fabric(inline_table(R"toml({ law = "cubic", k1 = "100 N/m", k3 = "2000 N/m", shear = "50 N/m" })toml"));
+      find_fabric(inline_entry(R"toml({ law = "cubic", k1 = "100 N/m", k3 = "2000 N/m", shear = "50 N/m" })toml"));
   EXPECT_NEAR(nominal(cubic.weft, 0.2), 20 + 16, 1e-12);
-  const Fabric kes = find_fabric(inline_table(
+  const Fabric kes = find_fabric(inline_entry(
       R"toml(law = "kes"
              LT = 0.7
              WT = "12 gf cm/cm2"
@@ -193,20 +193,20 @@ TEST(Data, WrongInlineTablesSayWhatToWrite) {
   // A wrong key, a missing number, a Poisson ratio that would lose convexity, or Fm and EMT together are located
   // errors.
   EXPECT_NE(error_of([] {
-              find_tissue(inline_table(R"toml({ law = "neo-Hooke", shear_modulos = "10 kPa" })toml"));
+              find_tissue(inline_entry(R"toml({ law = "neo-Hooke", shear_modulos = "10 kPa" })toml"));
             }).find("shear_modulus"),
             std::string::npos);
   EXPECT_NE(error_of([] {
-              find_tissue(inline_table(R"toml({ law = "neo-Hook", shear_modulus = "10 kPa" })toml"));
+              find_tissue(inline_entry(R"toml({ law = "neo-Hook", shear_modulus = "10 kPa" })toml"));
             }).find("neo-Hooke"),
             std::string::npos);
   EXPECT_NE(error_of([] {
-              find_fabric(inline_table(
+              find_fabric(inline_entry(
                   R"toml({ law = "linear", warp = "1 N/m", weft = "1 N/m", shear = "1 N/m", poisson = 1.0 })toml"));
             }).find("poisson"),
             std::string::npos);
   const std::string both = error_of([] {
-    find_fabric(inline_table(
+    find_fabric(inline_entry(
         R"toml(law = "kes"
              LT = 0.7
              WT = "12 gf cm/cm2"
@@ -216,7 +216,7 @@ TEST(Data, WrongInlineTablesSayWhatToWrite) {
   });
   EXPECT_NE(both.find("both Fm and EMT"), std::string::npos) << both;
   const std::string neither = error_of([] {
-    find_fabric(inline_table(R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", G = "0.8 gf/(cm degree)" })toml"));
+    find_fabric(inline_entry(R"toml({ law = "kes", LT = 0.7, WT = "12 gf cm/cm2", G = "0.8 gf/(cm degree)" })toml"));
   });
   EXPECT_NE(neither.find("neither Fm nor EMT"), std::string::npos) << neither;
 }
@@ -248,7 +248,7 @@ TEST(Data, WhatIsWrittenOutReadsBackToTheSame) {
 TEST(Data, InlineValuesAreWrittenOutInSi) {
   // Units and defaults of values in a case are those of SI, and a name stays what results call it.
   const input::Table table = materials::written_out_tissue(
-      inline_table(R"toml({ name = "my fat", law = "neo-Hooke", shear_modulus = "1.5 kPa", poisson_ratio = 0.49 })toml"));
+      inline_entry(R"toml({ name = "my fat", law = "neo-Hooke", shear_modulus = "1.5 kPa", poisson_ratio = 0.49 })toml"));
   EXPECT_EQ(*table.find("shear_modulus")->text(), "1500 Pa");
   EXPECT_EQ(*table.find("volumetric")->text(), "barrier");
   EXPECT_EQ(*table.find("density")->text(), "1060 kg/m3");

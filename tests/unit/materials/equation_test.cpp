@@ -36,7 +36,7 @@ std::string dimension(const std::string& text) {
     return error.what();
   }
 }
-std::string error_of(const std::string& text) {
+std::string equation_error(const std::string& text) {
   try {
     Equation::parse(text, here);
   } catch (const input::InputError& error) {
@@ -95,21 +95,21 @@ TEST(Equation, UnlikeThingsAreNotAdded) {
 }
 
 TEST(Equation, WhatIsNoEquationIsRefusedWithItsPlace) {
-  EXPECT_THAT(error_of("1 +"), HasSubstr("it ends where a number or a symbol should stand"));
-  EXPECT_THAT(error_of("(1"), HasSubstr("a ) is missing"));
-  EXPECT_THAT(error_of("1 2"), HasSubstr("character 3: \"2\" where the equation should end"));
-  EXPECT_THAT(error_of("a = 1"), HasSubstr("where the equation should end"));
-  EXPECT_THAT(error_of("1e999"), HasSubstr("no finite number"));
-  EXPECT_THAT(error_of("C*(T)*"), HasSubstr("it ends"));
-  EXPECT_THAT(error_of("f(1)"), HasSubstr("no function f"));
-  EXPECT_THAT(error_of("min(1)"), HasSubstr("a , is missing"));
-  EXPECT_THAT(error_of(""), HasSubstr("it ends"));
-  EXPECT_THAT(error_of("a;b"), HasSubstr("where the equation should end"));
-  EXPECT_THAT(error_of(std::string(2001, '1')), HasSubstr("an equation of 2001 characters"));
-  EXPECT_THAT(error_of(std::string(1000, '(')), HasSubstr("nested more than 50 deep"));
+  EXPECT_THAT(equation_error("1 +"), HasSubstr("it ends where a number or a symbol should stand"));
+  EXPECT_THAT(equation_error("(1"), HasSubstr("a ) is missing"));
+  EXPECT_THAT(equation_error("1 2"), HasSubstr("character 3: \"2\" where the equation should end"));
+  EXPECT_THAT(equation_error("a = 1"), HasSubstr("where the equation should end"));
+  EXPECT_THAT(equation_error("1e999"), HasSubstr("no finite number"));
+  EXPECT_THAT(equation_error("C*(T)*"), HasSubstr("it ends"));
+  EXPECT_THAT(equation_error("f(1)"), HasSubstr("no function f"));
+  EXPECT_THAT(equation_error("min(1)"), HasSubstr("a , is missing"));
+  EXPECT_THAT(equation_error(""), HasSubstr("it ends"));
+  EXPECT_THAT(equation_error("a;b"), HasSubstr("where the equation should end"));
+  EXPECT_THAT(equation_error(std::string(2001, '1')), HasSubstr("an equation of 2001 characters"));
+  EXPECT_THAT(equation_error(std::string(1000, '(')), HasSubstr("nested more than 50 deep"));
   std::string many = "1";
   for (int n = 0; n < 600; ++n) many += "+a";
-  EXPECT_THAT(error_of(many), HasSubstr("more than 500 numbers and symbols"));
+  EXPECT_THAT(equation_error(many), HasSubstr("more than 500 numbers and symbols"));
 }
 
 TEST(UnitBook, UnitsComeToTheirCoherentOnes) {

@@ -50,7 +50,7 @@ class ShippedLibrary : public LibraryTest {
   }
 };
 
-constexpr double gravity = 9.80665, degree = 3.14159265358979323846 / 180.0;
+constexpr double gravity = 9.80665, one_degree = 3.14159265358979323846 / 180.0;
 
 TEST_F(ShippedLibrary, EveryNumberOfTables25And26ComesBackAsPrintedAndInSi) {
   // Size of each printed unit in SI, by hand: kgf = 9.80665 N.
@@ -104,7 +104,7 @@ TEST_F(ShippedLibrary, EveryNumberOfTables51To71ComesBackWithItsDeviationAndItsT
                                             {"gf.cm/cm2", 1e-3 * gravity / 1e-2},
                                             {"gf.cm2/cm", 1e-3 * gravity * 1e-2},
                                             {"gf.cm/cm", 1e-3 * gravity},
-                                            {"gf/cm/degree", 1e-3 * gravity / 1e-2 / degree}};
+                                            {"gf/cm/degree", 1e-3 * gravity / 1e-2 / one_degree}};
   const Library library = open();
   int count = 0;
   for (const auto& [file, source, id, item] : {std::tuple{"table_5_2", "table 5.2", "fabric", "kes_symbol"},

@@ -11,7 +11,7 @@
 namespace snug::mesh {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 CellPositions positions(const BodyMesh& mesh, int cell) {
   return cell_positions(mesh.kind, mesh.cells[cell], mesh.nodes);

@@ -15,7 +15,7 @@
 namespace snug::mesh {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr tests::Tube coarse_scan{.around = 60, .along = 30};  // where its measures are not looked at
 
 input::BodySpec spec_of(const tests::ObjFile& file, std::vector<input::NamedCut> cuts, double tissue, double size) {

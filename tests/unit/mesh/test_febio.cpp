@@ -17,7 +17,7 @@ Model feb(const std::string& text, int load_step = 0) {
   return model;
 }
 
-std::string fault(const std::string& text, int load_step = 0) {
+std::string febio_fault(const std::string& text, int load_step = 0) {
   try {
     feb(text, load_step);
   } catch (const input::InputError& error) {
@@ -96,7 +96,7 @@ TEST(Febio, AStepHasTheLoadsOutsideOfStepsAndItsOwn) {
   EXPECT_THAT(last.forces, IsEmpty());
   EXPECT_THAT(last.supports, SizeIs(4));
   EXPECT_THAT(last.remarks[0].found, HasSubstr("there are 2 steps"));
-  EXPECT_THAT(fault(text, 3), HasSubstr("load step 3 is asked for, and there are 2"));
+  EXPECT_THAT(febio_fault(text, 3), HasSubstr("load step 3 is asked for, and there are 2"));
 }
 
 TEST(Febio, OfTwentySevenNodesTheFirstTwentyAreTaken) {
@@ -121,20 +121,20 @@ TEST(Febio, OfTwentySevenNodesTheFirstTwentyAreTaken) {
 }
 
 TEST(Febio, WhatIsNotTakenOverIsSaidWithItsLine) {
-  EXPECT_THAT(fault("<febio_spec version=\"2.5\"><Module type=\"solid\"/></febio_spec>"), HasSubstr("save it in format 4.0"));
-  EXPECT_THAT(fault("<febio_spec version=\"4.0\"><Module type=\"biphasic\"/></febio_spec>"), HasSubstr("the module is \"biphasic\""));
-  EXPECT_THAT(fault("<febio_spec version=\"4.0\">\n<Module type=\"solid\">\n</febio_spec>"), HasSubstr("leg.feb:3:1: error: this is no XML"));
-  EXPECT_THAT(fault(four("<Contact><contact type=\"sliding-elastic\"/></Contact>")), HasSubstr("the model has contact"));
-  EXPECT_THAT(fault(four("<Loads><body_load type=\"const\"/></Loads>")), HasSubstr("the load <body_load type=\"const\"> is not taken over"));
-  EXPECT_THAT(fault(four("<Boundary><bc type=\"rigid\" node_set=\"top\"/></Boundary>")), HasSubstr("of type \"rigid\""));
-  EXPECT_THAT(fault(four("<Boundary><bc type=\"zero displacement\" node_set=\"lower\"><x_dof>1</x_dof></bc></Boundary>")), HasSubstr("leg.feb:15:1: error: there is no node set \"lower\""));
-  EXPECT_THAT(fault(four("<Loads><surface_load type=\"pressure\" surface=\"lid\"><pressure type=\"math\">X*2</pressure></surface_load></Loads>")), HasSubstr("<pressure> is not one number"));
-  EXPECT_THAT(fault(four("<Loads><surface_load type=\"pressure\" surface=\"lid\"><pressure lc=\"9\">1</pressure></surface_load></Loads>")), HasSubstr("there is no load curve 9"));
-  EXPECT_THAT(fault(four("", "<Elements type=\"quad4\" name=\"brick\"><elem id=\"1\">1,2,3,4</elem></Elements>")), HasSubstr("elements of type quad4 are not taken over"));
-  EXPECT_THAT(fault(four("", "<Elements type=\"hex8\" name=\"other\"><elem id=\"1\">1,2,3,4,5,6,7,8</elem></Elements>")), HasSubstr("element 1 has no material"));
+  EXPECT_THAT(febio_fault("<febio_spec version=\"2.5\"><Module type=\"solid\"/></febio_spec>"), HasSubstr("save it in format 4.0"));
+  EXPECT_THAT(febio_fault("<febio_spec version=\"4.0\"><Module type=\"biphasic\"/></febio_spec>"), HasSubstr("the module is \"biphasic\""));
+  EXPECT_THAT(febio_fault("<febio_spec version=\"4.0\">\n<Module type=\"solid\">\n</febio_spec>"), HasSubstr("leg.feb:3:1: error: this is no XML"));
+  EXPECT_THAT(febio_fault(four("<Contact><contact type=\"sliding-elastic\"/></Contact>")), HasSubstr("the model has contact"));
+  EXPECT_THAT(febio_fault(four("<Loads><body_load type=\"const\"/></Loads>")), HasSubstr("the load <body_load type=\"const\"> is not taken over"));
+  EXPECT_THAT(febio_fault(four("<Boundary><bc type=\"rigid\" node_set=\"top\"/></Boundary>")), HasSubstr("of type \"rigid\""));
+  EXPECT_THAT(febio_fault(four("<Boundary><bc type=\"zero displacement\" node_set=\"lower\"><x_dof>1</x_dof></bc></Boundary>")), HasSubstr("leg.feb:15:1: error: there is no node set \"lower\""));
+  EXPECT_THAT(febio_fault(four("<Loads><surface_load type=\"pressure\" surface=\"lid\"><pressure type=\"math\">X*2</pressure></surface_load></Loads>")), HasSubstr("<pressure> is not one number"));
+  EXPECT_THAT(febio_fault(four("<Loads><surface_load type=\"pressure\" surface=\"lid\"><pressure lc=\"9\">1</pressure></surface_load></Loads>")), HasSubstr("there is no load curve 9"));
+  EXPECT_THAT(febio_fault(four("", "<Elements type=\"quad4\" name=\"brick\"><elem id=\"1\">1,2,3,4</elem></Elements>")), HasSubstr("elements of type quad4 are not taken over"));
+  EXPECT_THAT(febio_fault(four("", "<Elements type=\"hex8\" name=\"other\"><elem id=\"1\">1,2,3,4,5,6,7,8</elem></Elements>")), HasSubstr("element 1 has no material"));
   std::string viscous = four("");
   viscous.replace(viscous.find("neo-Hookean"), 11, "viscoelastic");
-  EXPECT_THAT(fault(viscous), HasSubstr("the material \"muscle\" is of type \"viscoelastic\""));
+  EXPECT_THAT(febio_fault(viscous), HasSubstr("the material \"muscle\" is of type \"viscoelastic\""));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace snug::mesh {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A stations file that lives as long as the test.
 class StationsFile {
@@ -31,7 +31,7 @@ class StationsFile {
   std::filesystem::path path_;
 };
 
-std::string error_of(const std::string& text) {
+std::string limb_error(const std::string& text) {
   try {
     make_limb(StationsFile(text).spec());
   } catch (const input::InputError& error) {
@@ -40,8 +40,8 @@ std::string error_of(const std::string& text) {
   return "no error";
 }
 
-void expect_error(const std::string& text, const std::vector<std::string>& parts) {
-  const std::string error = error_of(text);
+void expect_limb_error(const std::string& text, const std::vector<std::string>& parts) {
+  const std::string error = limb_error(text);
   for (const auto& part : parts) EXPECT_NE(error.find(part), std::string::npos) << error << "\nlacks: " << part;
 }
 
@@ -135,15 +135,15 @@ TEST(Stations, TwoStationsMakeAConeAndTheSkinGoesOnStraightBeyondTheEnds) {
 
 TEST(Stations, WrongTablesAreRefusedWithFileLineAndRemedy) {
   const std::string head = "height [mm], girth [mm], bone_girth [mm]\n";
-  expect_error(head + "0, 300, 90\n100, 0, 90\n", {".csv:3:6: error:", "girth is 0", "greater than zero"});
-  expect_error(head + "0, 300, 90\n", {".csv:2:1", "only one station", "at least two"});
-  expect_error(head + "0, 300, 90\n100, 310, 90\n100, 320, 90\n", {".csv:4:1", "not above the row before"});
-  expect_error(head + "0, 300, 90\n100, 80, 90\n", {"bone is outside the skin at height", "deg"});
-  expect_error("height [mm], bone_girth [mm]\n0, 300\n100, 300\n", {".csv:1:1", "girth is missing"});
-  expect_error("height [mm], girht [mm], bone_girth [mm]\n0, 300, 90\n1, 300, 90\n", {"girht", "not known", "girth"});
-  expect_error("height, girth [mm], bone_girth [mm]\n0, 300, 90\n1, 300, 90\n", {".csv:1:1", "no unit"});
+  expect_limb_error(head + "0, 300, 90\n100, 0, 90\n", {".csv:3:6: error:", "girth is 0", "greater than zero"});
+  expect_limb_error(head + "0, 300, 90\n", {".csv:2:1", "only one station", "at least two"});
+  expect_limb_error(head + "0, 300, 90\n100, 310, 90\n100, 320, 90\n", {".csv:4:1", "not above the row before"});
+  expect_limb_error(head + "0, 300, 90\n100, 80, 90\n", {"bone is outside the skin at height", "deg"});
+  expect_limb_error("height [mm], bone_girth [mm]\n0, 300\n100, 300\n", {".csv:1:1", "girth is missing"});
+  expect_limb_error("height [mm], girht [mm], bone_girth [mm]\n0, 300, 90\n1, 300, 90\n", {"girht", "not known", "girth"});
+  expect_limb_error("height, girth [mm], bone_girth [mm]\n0, 300, 90\n1, 300, 90\n", {".csv:1:1", "no unit"});
   // all errors of the table come together
-  expect_error(head + "0, -1, 90\n100, 300, x\n", {"girth is -0.001", "\"x\""});
+  expect_limb_error(head + "0, -1, 90\n100, 300, x\n", {"girth is -0.001", "\"x\""});
 }
 
 std::string remarks_of(const Limb& limb) {
@@ -169,7 +169,7 @@ TEST(Stations, TablesOfSpreadsheetsAreReadAsTheyCome) {
     EXPECT_NEAR(limb.girth(0.125), 0.34, 1e-13) << text;
     EXPECT_EQ(remarks_of(limb), "");
   }
-  expect_error("height [mm]\tgirth [mm]\tbone_girth [mm]\n0\t1,234\t90\n100\t1,234\t90\n", {".csv:2:1", "1,234 may be"});
+  expect_limb_error("height [mm]\tgirth [mm]\tbone_girth [mm]\n0\t1,234\t90\n100\t1,234\t90\n", {".csv:2:1", "1,234 may be"});
 }
 
 TEST(Stations, ABoneThatIsNotInTheTableIsAQuarterOfTheGirthAndSaidSo) {
@@ -181,12 +181,12 @@ TEST(Stations, ABoneThatIsNotInTheTableIsAQuarterOfTheGirthAndSaidSo) {
 
 TEST(Stations, SlipsOfUnitsAndDigitsAreToldWithRowAndColumn) {
   const std::string head = "height [mm], girth [mm], bone_girth [mm]\n";
-  expect_error(head + "0, 400, 90\n50, 410, 90\n100, 4220, 90\n150, 430, 90\n", {".csv:4:6: error: girth is 4220 mm", "420 mm expect", "422 mm?"});
-  expect_error(head + "0, 400, 90\n50, 4100, 90\n100, 420, 90\n150, 430, 90\n", {".csv:3:5: error: girth is 4100 mm"});
-  expect_error("height [cm], girth, bone_girth [cm]\n0, 41.5, 9\n5, 42, 9\n", {".csv:1:14: error: the column girth has no unit", "42 would be a girth in cm"});
-  expect_error(head + "0, 40, 9\n50, 410, 90\n100, 420, 90\n", {".csv:2:4: error: girth is 40 mm", "400 mm?"});
-  expect_error("height [mm], girth [m], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:5: error: girth is up to 410 m", "is the unit [mm] instead of [m]?"});
-  expect_error("height [m], girth [mm], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:1: error: the heights reach over 50 m"});
+  expect_limb_error(head + "0, 400, 90\n50, 410, 90\n100, 4220, 90\n150, 430, 90\n", {".csv:4:6: error: girth is 4220 mm", "420 mm expect", "422 mm?"});
+  expect_limb_error(head + "0, 400, 90\n50, 4100, 90\n100, 420, 90\n150, 430, 90\n", {".csv:3:5: error: girth is 4100 mm"});
+  expect_limb_error("height [cm], girth, bone_girth [cm]\n0, 41.5, 9\n5, 42, 9\n", {".csv:1:14: error: the column girth has no unit", "42 would be a girth in cm"});
+  expect_limb_error(head + "0, 40, 9\n50, 410, 90\n100, 420, 90\n", {".csv:2:4: error: girth is 40 mm", "400 mm?"});
+  expect_limb_error("height [mm], girth [m], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:5: error: girth is up to 410 m", "is the unit [mm] instead of [m]?"});
+  expect_limb_error("height [m], girth [mm], bone_girth [mm]\n0, 400, 90\n50, 410, 90\n", {".csv:3:1: error: the heights reach over 50 m"});
   const Limb odd = make_limb(StationsFile(head + "0, 400, 90\n50, 410, 90\n100, 820, 90\n150, 430, 90\n").spec());
   EXPECT_NE(remarks_of(odd).find(".csv:4:6: warning: girth is 820 mm between rows"), std::string::npos) << remarks_of(odd);
   const Limb torso = make_limb(StationsFile(head + "0, 950, 300\n150, 700, 300\n300, 1000, 300\n400, 600, 300\n").spec());

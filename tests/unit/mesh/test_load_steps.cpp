@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre, testing::HasSubstr, testing::IsEmpty, testing::SizeIs;
 
-Model apdl(const std::string& text, int load_step = 0) {
+Model apdl_step(const std::string& text, int load_step = 0) {
   input::Diagnostics diagnostics;
   Model model = parse_apdl(text, "part.mac", diagnostics, load_step);
   diagnostics.throw_if_any();
@@ -69,7 +69,7 @@ TEST(LoadSteps, OfApdlTextSolveAndLswriteEndSteps) {
   // Step 1: two forces and a pressure; step 2: one of them is gone, one is another; step 3 has no pressure and another support.
   for (const char* end : {"solve\n", "lswrite\n"}) {
     const std::string text = apdl_body + "f,4,fx,1.5\nf,3,fy,7\nsfe,1,3,pres,,0.2\n" + end + "fdele,3,fy\nf,4,fx,2.5\n" + end + "sfedele,1,3,pres\nddele,1,uz\nd,2,uy,0.1\n" + end;
-    const Model first = apdl(text, 1), second = apdl(text, 2), last = apdl(text);
+    const Model first = apdl_step(text, 1), second = apdl_step(text, 2), last = apdl_step(text);
     EXPECT_THAT(first.forces, testing::UnorderedElementsAre(ModelForce{4, 0, 1.5}, ModelForce{3, 1, 7.0})) << end;
     EXPECT_THAT(second.forces, ElementsAre(ModelForce{4, 0, 2.5}));
     EXPECT_THAT(second.pressures, SizeIs(1));
@@ -78,16 +78,16 @@ TEST(LoadSteps, OfApdlTextSolveAndLswriteEndSteps) {
     EXPECT_EQ(std::count(last.supports.begin(), last.supports.end(), ModelSupport{1, 2, 0.0}), 0);
     EXPECT_EQ(std::count(last.supports.begin(), last.supports.end(), ModelSupport{2, 1, 0.1}), 1);
     EXPECT_THAT(last.remarks.back().found, HasSubstr("there are 3 steps: the loads and supports at the end of the last one"));
-    EXPECT_THAT(fault([&] { apdl(text, 4); }), HasSubstr("there are 3"));
+    EXPECT_THAT(fault([&] { apdl_step(text, 4); }), HasSubstr("there are 3"));
   }
 }
 
 TEST(LoadSteps, SolvingWhatWasWrittenIsNoStepOfItsOwn) {
   const std::string text = apdl_body + "f,4,fx,1.5\nlswrite,1\nf,4,fx,2.5\nlswrite,2\nlssolve,1,2\nsolve\nfinish\n";
-  EXPECT_THAT(fault([&] { apdl(text, 3); }), HasSubstr("there are 2"));
-  EXPECT_THAT(apdl(text, 2).forces, ElementsAre(ModelForce{4, 0, 2.5}));
-  EXPECT_THAT(apdl(apdl_body + "f,4,fx,1.5\nsolve\n").remarks, IsEmpty());
-  EXPECT_THAT(apdl(apdl_body + "f,4,fx,1.5\nlsclear,fe\nd,1,all,0\nf,2,fz,3\nsolve\n").forces, ElementsAre(ModelForce{2, 2, 3.0}));
+  EXPECT_THAT(fault([&] { apdl_step(text, 3); }), HasSubstr("there are 2"));
+  EXPECT_THAT(apdl_step(text, 2).forces, ElementsAre(ModelForce{4, 0, 2.5}));
+  EXPECT_THAT(apdl_step(apdl_body + "f,4,fx,1.5\nsolve\n").remarks, IsEmpty());
+  EXPECT_THAT(apdl_step(apdl_body + "f,4,fx,1.5\nlsclear,fe\nd,1,all,0\nf,2,fz,3\nsolve\n").forces, ElementsAre(ModelForce{2, 2, 3.0}));
 }
 
 TEST(ObliqueSupports, NodesAmidOnesThatAreHeldAlongALineAreHeldToo) {
@@ -97,7 +97,7 @@ TEST(ObliqueSupports, NodesAmidOnesThatAreHeldAlongALineAreHeldToo) {
                            "e,1,2,3,4,5,6,7,8\nnlgeom,on\nd,2,ux,0.05\nd,3,ux,0.05\nd,6,ux,0.05\nd,7,ux,0.05\nd,2,uz,0\n";
   input::BodySpec spec;
   spec.kind = input::BodyKind::imported, spec.mesh = "part.cdb", spec.unit = 1e-2;
-  const BodyMesh body = body_of(apdl(text), spec);
+  const BodyMesh body = body_of(apdl_step(text), spec);
   ASSERT_THAT(body.held_along, SizeIs(9));
   ASSERT_THAT(body.held, SizeIs(1));
   for (const HeldAlong& held : body.held_along) {

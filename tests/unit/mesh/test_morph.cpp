@@ -15,7 +15,7 @@
 namespace snug::mesh {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::filesystem::path bodies = std::filesystem::path(SNUG_SOURCE_DIR) / "mesh/data/bodies";
 

@@ -17,7 +17,7 @@ namespace snug::mesh {
 namespace {
 
 using ::testing::HasSubstr;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A tapering, bent limb of elliptic sections 0.3 m long.
 EllipticOutline forearm() {

@@ -10,7 +10,7 @@ namespace snug::mesh {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Curve quarter(double radius) {
   return {{arc_through({radius, 0.0}, radius * Vector2d(std::sqrt(0.5), std::sqrt(0.5)), {0.0, radius})}};

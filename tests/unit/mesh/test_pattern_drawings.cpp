@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const fs::path data = fs::path(SNUG_SOURCE_DIR) / "tests/data/patterns";
 

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 using testing::HasSubstr;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(TomlPattern, LengthsAndAreasAreThoseOfTheDrawing) {
   const CheckedPattern leg = checked_toml(cone);

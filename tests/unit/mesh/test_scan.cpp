@@ -14,7 +14,7 @@
 namespace snug::mesh {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Surface = std::function<Eigen::Vector3d(double turn, double height)>;
 
 /// Writes closed tubes (with caps) as OBJ with y up and z to the front: x = side, as the body's frame turned.

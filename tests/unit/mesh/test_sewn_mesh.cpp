@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using testing::HasSubstr;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double twice_area(const SewnMesh& mesh, const std::array<int, 6>& t) {
   const Vector2d u = mesh.flat[t[1]] - mesh.flat[t[0]], v = mesh.flat[t[2]] - mesh.flat[t[0]];
@@ -32,7 +32,7 @@ double length(const SewnMesh& mesh, const std::vector<int>& nodes) {
 }
 
 /// Vertices - sides + triangles of the sewn surface.
-int euler(const SewnMesh& mesh) {
+int mesh_euler(const SewnMesh& mesh) {
   std::set<int> vertices;
   std::set<std::set<int>> sides;
   for (const auto& t : mesh.triangles)
@@ -83,7 +83,7 @@ TEST(SewnMesh, BothSidesOfASeamAreDividedAlikeAndMerged) {
   std::size_t gone = 0;
   for (std::size_t n = 0; n < mesh.merged.size(); ++n) gone += mesh.merged[n] != static_cast<int>(n);
   EXPECT_EQ(gone, 2u * 31);
-  EXPECT_EQ(euler(mesh), 0);
+  EXPECT_EQ(mesh_euler(mesh), 0);
 }
 
 TEST(SewnMesh, EdgesAndHemsHaveTheirNodesInOrder) {
@@ -143,7 +143,7 @@ TEST(SewnMesh, AtTheTipOfAConeNoTriangleIsFolded) {
     const SewnMesh mesh =
         mesh_pattern(checked_toml(with(text, "name = \"p\"\n", "name = \"p\"\nseen_from = \"inside\"\n")), 0.02);
     expect_sound(mesh);
-    EXPECT_EQ(euler(mesh), 1) << angle;
+    EXPECT_EQ(mesh_euler(mesh), 1) << angle;
     EXPECT_EQ(mesh.open.size(), 1u);
   }
 }
@@ -162,7 +162,7 @@ darts = [{ sides = ["in", "out"] }]
 )"),
                                      0.008);
   expect_sound(mesh);
-  EXPECT_EQ(euler(mesh), 0);  // a disc with a hole
+  EXPECT_EQ(mesh_euler(mesh), 0);  // a disc with a hole
   EXPECT_TRUE(mesh.open.contains("eye"));
   for (const Vector2d& warp : mesh.warp) EXPECT_LT((warp - Vector2d(std::sqrt(0.5), std::sqrt(0.5))).norm(), 1e-15);
 }

@@ -34,7 +34,7 @@ const std::string second = "    1PSTEP                         4           3    
                            " -1         1 0.00000E+00 0.00000E+00 0.00000E+00\n -1         2-2.83328E-01 0.00000E+00 0.00000E+00\n -1         3 0.00000E+00-1.88886E-01 0.00000E+00\n"
                            " -1         4-3.10111E-01 0.00000E+00-2.84451E+00\n -3\n 9999\n";
 
-std::string faults(const std::string& text) {
+std::string frd_faults(const std::string& text) {
   input::Diagnostics diagnostics;
   frd_tables(text, "tet.frd", diagnostics);
   std::string all;
@@ -85,16 +85,16 @@ TEST(FrdListing, ShortNodeNumbersAndSixColumnsARowAreRead) {
 TEST(FrdListing, WhatIsCutShortOrBinaryIsReported) {
   std::string binary = head;
   binary.replace(binary.rfind("1\n"), 1, "2");
-  EXPECT_THAT(faults(binary + "\x01\x02"), HasSubstr("the results are binary | write them as text: *NODE FILE"));
+  EXPECT_THAT(frd_faults(binary + "\x01\x02"), HasSubstr("the results are binary | write them as text: *NODE FILE"));
   const std::string whole = head + places + first;
-  EXPECT_THAT(faults(whole.substr(0, whole.find("-6.46343E-02") + 12)), HasSubstr("the file ends within a block"));
+  EXPECT_THAT(frd_faults(whole.substr(0, whole.find("-6.46343E-02") + 12)), HasSubstr("the file ends within a block"));
   std::string missing = whole, wrong = whole;
   missing.replace(missing.find("-6.46343E-02 0.00000E+00 0.00000E+00"), 36, "-6.46343E-02 0.00000E+00");
-  EXPECT_THAT(faults(missing), HasSubstr("node 2 has fewer values"));
+  EXPECT_THAT(frd_faults(missing), HasSubstr("node 2 has fewer values"));
   for (const char* next : {" -4  STRESS", "    3C", "    2C"})  // a block that does not end before the next one
-    EXPECT_THAT(faults(head + " -1         5 1.00000E+00\n" + next + "\n"), HasSubstr("node 5 has fewer values")) << next;
+    EXPECT_THAT(frd_faults(head + " -1         5 1.00000E+00\n" + next + "\n"), HasSubstr("node 5 has fewer values")) << next;
   wrong.replace(wrong.find("-6.46343E-02"), 12, "-6.46343X-02");
-  EXPECT_THAT(faults(wrong), HasSubstr("\"-6.46343X-02\" is no number"));
+  EXPECT_THAT(frd_faults(wrong), HasSubstr("\"-6.46343X-02\" is no number"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 using Row = std::vector<double>;
 
-std::vector<ListingTable> shipped(const std::string& name) {
+std::vector<ListingTable> shipped_listing(const std::string& name) {
   return read_listing(std::filesystem::path(SNUG_SOURCE_DIR) / "tests/data/listings" / name);
 }
 
@@ -97,7 +97,7 @@ TEST(ListingReader, ReportsAndTablesOfAbaqusAndDataFramesAreListings) {
 TEST(ListingReader, AShellsDisplacementsParseCompletely) {
   // Shape of the thesis' first listing (section 4.4.3; the digits are made up): tabs, four rows, rows left out, and the
   // maximum absolute values.
-  const auto tables = shipped("shell_displacement.lis");
+  const auto tables = shipped_listing("shell_displacement.lis");
   ASSERT_EQ(tables.size(), 1u);
   const ListingTable& table = tables[0];
   EXPECT_EQ(table.kind, "NODAL DEGREE OF FREEDOM");
@@ -119,7 +119,7 @@ TEST(ListingReader, AShellsDisplacementsParseCompletely) {
 TEST(ListingReader, AShellsStressesParseCompletely) {
   // Shape of the thesis' second listing (section 4.4.3; the digits are made up): columns run together, SEQV wraps to the
   // next line (once across what the page break left), a VALUE line wraps, and the shell's surface is named.
-  const auto tables = shipped("shell_stress.lis");
+  const auto tables = shipped_listing("shell_stress.lis");
   ASSERT_EQ(tables.size(), 1u);
   const ListingTable& table = tables[0];
   EXPECT_EQ(table.labels, (std::vector<std::string>{"S1", "S2", "S3", "SINT", "SEQV"}));
@@ -143,7 +143,7 @@ TEST(ListingReader, AShellsStressesParseCompletely) {
 TEST(ListingReader, ThePrintedListingsOfTheThesisParseCompletely) {
   // Thesis, section 4.4.3: the numbers of both listings as they are printed, fused, wrapped and split as there. Four and
   // five rows, extrema of every column; SEQV of the third row and of the maxima stands on the next line.
-  const auto tables = shipped("thesis_4_4_3.lis");
+  const auto tables = shipped_listing("thesis_4_4_3.lis");
   ASSERT_EQ(tables.size(), 2u);
   const ListingTable &moved = tables[0], &stress = tables[1];
   EXPECT_EQ(moved.labels, (std::vector<std::string>{"UX", "UY", "UZ", "USUM"}));
@@ -173,7 +173,7 @@ TEST(ListingReader, ThePrintedListingsOfTheThesisParseCompletely) {
 TEST(ListingReader, PagesAndWrappedLinesGiveOneTable) {
   // Reference book, section 5.1: a page break with banner and repeated heads, 13-wide fields, six components of which
   // two wrap. The numbers are those from which the text was made.
-  const auto tables = shipped("ansys_pages.lis");
+  const auto tables = shipped_listing("ansys_pages.lis");
   ASSERT_EQ(tables.size(), 3u);
   const Row first = {-0.15152e-11, -0.23058e-4, 0, 0.23058e-4}, second = {0.10751e-3, 12.345, -1.5, 12.436},
             third = {-0.15e-2, -0.1e-7, -99999, 99999};

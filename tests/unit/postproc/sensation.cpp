@@ -14,13 +14,13 @@
 namespace snug::postproc {
 namespace {
 
-SensationCurves trial() {
+SensationCurves trial_curves() {
   input::ComfortSpec spec;
   spec.curves.name = "wear trial 2002";
   return load_curves(spec.curves);
 }
 
-std::filesystem::path written(const std::string& name, const std::string& text) {
+std::filesystem::path trial_file(const std::string& name, const std::string& text) {
   const auto path = std::filesystem::temp_directory_path() / ("snug-sensation-" + name);
   std::ofstream(path) << text;
   return path;
@@ -36,7 +36,7 @@ TEST(Units, ConversionsAreThoseOfTheStandards) {
 
 TEST(Sensation, ReproducesAll64RatingsOfTheEightSignificantLocations) {
   // Table 5.5: each rating of the eight locations with a significant slope comes back within 0.005, its rounding.
-  const SensationCurves curves = trial();
+  const SensationCurves curves = trial_curves();
   const input::Csv table = shipped_csv(shipped_text("wear_trial_2002.csv"), "table");
   ASSERT_EQ(table.rows.size(), 72u);
   int checked = 0;
@@ -54,17 +54,17 @@ TEST(Sensation, ReproducesAll64RatingsOfTheEightSignificantLocations) {
 
 TEST(Sensation, OnlyTheBackThighHasNoSignificantSlope) {
   // The t-test rejects the line of the back thigh and of no other location.
-  for (const SensationCurve& curve : trial().curves) {
+  for (const SensationCurve& curve : trial_curves().curves) {
     EXPECT_EQ(curve.significant, curve.location != "Back thigh") << curve.location << " p = " << curve.p_value;
     EXPECT_EQ(curve.points, 8);
   }
-  EXPECT_GT(trial().find("Back thigh")->p_value, 0.2);
-  EXPECT_LT(trial().find("Chest")->p_value, 1e-6);
+  EXPECT_GT(trial_curves().find("Back thigh")->p_value, 0.2);
+  EXPECT_LT(trial_curves().find("Chest")->p_value, 1e-6);
 }
 
 TEST(Sensation, LinesAndResidualsAreTheOnesOfTheLeastSquaresFit) {
   // Slope, intercept and largest residual agree with an independent fit of the same table (data/README.md).
-  const SensationCurves curves = trial();
+  const SensationCurves curves = trial_curves();
   const SensationCurve& chest = *curves.find("chest");
   EXPECT_NEAR(std::get<Line>(chest.shape).slope * pascal_per_gf_cm2, 0.31971, 5e-6);
   EXPECT_NEAR(std::get<Line>(chest.shape).intercept, 0.0233, 5e-5);
@@ -79,7 +79,7 @@ TEST(Sensation, LinesAndResidualsAreTheOnesOfTheLeastSquaresFit) {
 
 TEST(Sensation, PressuresOutsideTheTrialAreFlaggedAndRatingsStayOnTheScale) {
   // Far beyond the data the rating is clamped to 4 and marked; without a significant slope it is the trial's mean.
-  const SensationCurves curves = trial();
+  const SensationCurves curves = trial_curves();
   const Rating far = rate(*curves.find("Chest"), from_gf_cm2(40));
   EXPECT_DOUBLE_EQ(far.value, 4.0);
   EXPECT_EQ(far.term, "extremely uncomfortable");
@@ -93,8 +93,8 @@ TEST(Sensation, PressuresOutsideTheTrialAreFlaggedAndRatingsStayOnTheScale) {
 TEST(Sensation, CurvesOfAFileMayComeInAnyUnit) {
   // The same line given in Pa, gf/cm2 and mmHg gives the same rating.
   const auto in_pascal =
-      written("pa.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1000,1\ncalf,2000,2\n");
-  const auto in_head = written("head.csv", "location,pressure [kPa],sensation_rating\ncalf,0,0\ncalf,1,1\ncalf,2,2\n");
+      trial_file("pa.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1000,1\ncalf,2000,2\n");
+  const auto in_head = trial_file("head.csv", "location,pressure [kPa],sensation_rating\ncalf,0,0\ncalf,1,1\ncalf,2,2\n");
   for (const auto& file : {in_pascal, in_head}) {
     input::ComfortSpec spec;
     spec.curves.name = file.filename().string();
@@ -110,12 +110,12 @@ TEST(Sensation, WrongTablesAreErrorsWithFileAndRemedy) {
     spec.curves.name = name;
     return load_curves(spec.curves);
   };
-  EXPECT_THROW(load(written("a.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,7\ncalf,2,1\n").string()),
+  EXPECT_THROW(load(trial_file("a.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,7\ncalf,2,1\n").string()),
                input::InputError);
-  EXPECT_THROW(load(written("b.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,1\n").string()),
+  EXPECT_THROW(load(trial_file("b.csv", "location,pressure_Pa,sensation_rating\ncalf,0,0\ncalf,1,1\n").string()),
                input::InputError);
-  EXPECT_THROW(load(written("c.csv", "location,sensation_rating\ncalf,0\n").string()), input::InputError);
-  EXPECT_THROW(load(written("d.csv", "location,pressure_Pa,sensation_rating\ncalf,nan,0\n").string()),
+  EXPECT_THROW(load(trial_file("c.csv", "location,sensation_rating\ncalf,0\n").string()), input::InputError);
+  EXPECT_THROW(load(trial_file("d.csv", "location,pressure_Pa,sensation_rating\ncalf,nan,0\n").string()),
                input::InputError);
   EXPECT_THROW(load("wear trial 1999"), input::InputError);
 }
@@ -143,11 +143,11 @@ TEST(Bands, HoldTheirEnds) {
 
 TEST(Score, ReadsPressuresInThreeUnitsAndRefusesALocationTwice) {
   // 1 gf/cm2 read in any of the three columns is 98.0665 Pa; a doubled location is an error.
-  EXPECT_DOUBLE_EQ(read_pressures(written("e.csv", "location,pressure_gf_per_cm2\nChest,1\n"))[0].pressure, 98.0665);
-  EXPECT_DOUBLE_EQ(read_pressures(written("f.csv", "location,pressure_mmHg\nChest,1\n"))[0].pressure, 133.322387415);
-  EXPECT_DOUBLE_EQ(read_pressures(written("g.csv", "\"location\",pressure_Pa\n\"Chest\",1\n"))[0].pressure, 1.0);
-  EXPECT_THROW(read_pressures(written("h.csv", "location,pressure_Pa\nChest,1\nchest,2\n")), input::InputError);
-  EXPECT_THROW(read_pressures(written("i.csv", "location,pressure_Pa\nChest,-1\n")), input::InputError);
+  EXPECT_DOUBLE_EQ(read_pressures(trial_file("e.csv", "location,pressure_gf_per_cm2\nChest,1\n"))[0].pressure, 98.0665);
+  EXPECT_DOUBLE_EQ(read_pressures(trial_file("f.csv", "location,pressure_mmHg\nChest,1\n"))[0].pressure, 133.322387415);
+  EXPECT_DOUBLE_EQ(read_pressures(trial_file("g.csv", "\"location\",pressure_Pa\n\"Chest\",1\n"))[0].pressure, 1.0);
+  EXPECT_THROW(read_pressures(trial_file("h.csv", "location,pressure_Pa\nChest,1\nchest,2\n")), input::InputError);
+  EXPECT_THROW(read_pressures(trial_file("i.csv", "location,pressure_Pa\nChest,-1\n")), input::InputError);
 }
 
 TEST(Score, RatesMeasuredPressuresWithoutMechanics) {
@@ -171,7 +171,7 @@ TEST(Score, RatesMeasuredPressuresWithoutMechanics) {
 
 TEST(Sensation, ASideIsJudgedByTheCurveOfItsPlace) {
   // "Front thigh left" has no curve of its own and is rated as "Front thigh"; what only looks like a side is none.
-  const SensationCurves curves = trial();
+  const SensationCurves curves = trial_curves();
   EXPECT_EQ(without_side("Front thigh left"), "Front thigh");
   EXPECT_EQ(without_side("Front thigh RIGHT"), "Front thigh");
   EXPECT_EQ(without_side("Upright"), "Upright");
@@ -193,7 +193,7 @@ TEST(Sensation, OfBothSidesTheWorseOneCounts) {
   // Both sides are one question of the trial: the score is that of the worse side alone, whichever comes first.
   input::ComfortSpec comfort;
   comfort.curves.name = "wear trial 2002";
-  const SensationCurves curves = trial();
+  const SensationCurves curves = trial_curves();
   const SensationCurve& thigh = *curves.find("Front thigh");
   const double low = thigh.low + 0.2 * (thigh.high - thigh.low), high = thigh.low + 0.9 * (thigh.high - thigh.low);
   ASSERT_GT(rate(thigh, high).value, rate(thigh, low).value + 0.1);

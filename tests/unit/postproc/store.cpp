@@ -20,7 +20,7 @@ using test::fresh_folder;
 using test::run_scene;
 using testing::HasSubstr;
 
-Evaluation evaluated(const RunResult& run) {
+Evaluation evaluated_run(const RunResult& run) {
   input::ComfortSpec trial;
   trial.curves.name = "wear trial 2002";
   return evaluate(run, trial);
@@ -103,7 +103,7 @@ TEST(Store, GivesBackWhatWasWrittenToTheBit) {
   for (const auto& [kind, run] : scenes()) {
     SCOPED_TRACE(kind);
     const auto folder = fresh_folder("store");
-    const Evaluation evaluation = evaluated(run);
+    const Evaluation evaluation = evaluated_run(run);
     const StoredRun stored = stored_run(run, evaluation, {.command = "snug run it"}, folder);
     write_results(run, evaluation, stored, folder);
     const StoredRun read = read_run(folder);
@@ -124,7 +124,7 @@ TEST(Store, ThePageFromMemoryIsThatOfTheDirectory) {
   for (const auto& [kind, run] : scenes()) {
     SCOPED_TRACE(kind);
     const auto folder = fresh_folder("store-page");
-    const Evaluation evaluation = evaluated(run);
+    const Evaluation evaluation = evaluated_run(run);
     const StoredRun stored = stored_run(run, evaluation, {}, folder);
     write_results(run, evaluation, stored, folder);
     EXPECT_EQ(report::page(stored, {"", "no display"}), report::page(folder, {"", "no display"}));

@@ -23,7 +23,7 @@ using test::fresh_folder;
 using test::run_scene;
 using test::text_of;
 
-input::ComfortSpec trial() {
+input::ComfortSpec comfort_trial() {
   input::ComfortSpec spec;
   spec.curves.name = "wear trial 2002";
   return spec;
@@ -152,7 +152,7 @@ TEST(Evaluate, MeanIsWeightedByCoveredArea) {
   RunResult run = run_scene();
   for (std::size_t n = 30; n < 45; ++n) run.body.fields[field::contact_pressure][n] = n < 35 ? 100 : 300;  // rows j = 0, 1, 2
   run.body.fields[field::displacement].assign(45, Eigen::Vector3d::Zero());
-  const Evaluation evaluation = evaluate(run, trial());
+  const Evaluation evaluation = evaluate(run, comfort_trial());
   const LocationRow& front = evaluation.locations[0];
   // Rows j = 0 and 2 have a quarter of the height each, row 1 half of it.
   EXPECT_NEAR(front.mean_pressure, 0.25 * 100 + 0.75 * 300, 1e-6);
@@ -194,9 +194,9 @@ TEST(Evaluate, WithoutAComfortSectionNothingIsRated) {
 TEST(Evaluate, AStateShortOfTheAnswerIsNotJudged) {
   // Its pressures are told; rating, class, threshold and comfort are not made of them, with the same data that rate an answer.
   RunResult run = run_scene();
-  ASSERT_TRUE(evaluate(run, trial()).comfort.has_value());
+  ASSERT_TRUE(evaluate(run, comfort_trial()).comfort.has_value());
   run.status = postproc::Status::partial;
-  const Evaluation evaluation = evaluate(run, trial());
+  const Evaluation evaluation = evaluate(run, comfort_trial());
   EXPECT_NEAR(evaluation.locations[0].mean_pressure, 300.0, 1e-9);
   EXPECT_FALSE(evaluation.comfort.has_value());
   EXPECT_TRUE(evaluation.thresholds.empty());
@@ -213,7 +213,7 @@ TEST(Recorders, SummaryTellsWhatTheStateIsAndWarns) {
   run.assumptions = {"friction 0.3: textiles on dry skin"};
   run.hems = {{.edge = "upper", .length = 0.5, .strip = 0.02, .force = 3.0, .line_load = 0.4}};
   run.warnings = {{"gathered cloth", "20 % of the cloth lies in folds", "heights 10 to 20 mm", "hold both edges", "gathered_share", 0.2, 0.05}};
-  write_results(run, evaluate(run, trial()), out);
+  write_results(run, evaluate(run, comfort_trial()), out);
   const auto json = nlohmann::json::parse(text_of(out / "summary.json"));
   EXPECT_EQ(json["state"]["stage"], "body, step by step");
   EXPECT_EQ(json["state"]["fraction"], 0.25);
@@ -236,7 +236,7 @@ TEST(Recorders, AFullSceneLeavesEveryFileAndNothingHalfWritten) {
   RunResult run = run_scene();
   run.tools = {{.name = "probe", .surface = "skin", .shape = "ball of radius 5 mm", .history = {{.travel = 2e-3, .depth = 1e-3, .force = 0.5}, {.travel = 4e-3, .depth = 3e-3, .force = 2.5}}}};
   run.movement = {{.posture = "dressed", .bones = {{"shank", 0.0, {}}}, .contact_area = 0.02, .mean_pressure = 900.0, .max_pressure = 1200.0}};
-  write_results(run, evaluate(run, trial()), out,
+  write_results(run, evaluate(run, comfort_trial()), out,
                 {.versions = {{"snug", "0.1.0"}}, .input_hashes = {}, .mesh_quality = {}});
   for (const Recorder& recorder : recorders())
     EXPECT_TRUE(std::filesystem::exists(out / recorder.file)) << recorder.file;
@@ -252,7 +252,7 @@ TEST(Recorders, WhatTheSceneDoesNotHaveLeavesNoFileOfAnEarlierRun) {
   // Without garment and comfort section their files are absent, also when an earlier run wrote them there.
   const auto out = fresh_folder("less");
   RunResult run = run_scene();
-  write_results(run, evaluate(run, trial()), out);
+  write_results(run, evaluate(run, comfort_trial()), out);
   run.garment = {};
   write_results(run, evaluate(run, std::nullopt), out);
   for (const char* file : {"garment.pvd", "garment_0000.vtu", "comfort.json"})
@@ -266,7 +266,7 @@ TEST(Recorders, SummaryIsJsonWithoutNaN) {
   RunResult run = run_scene();
   run.max_penetration = std::numeric_limits<double>::quiet_NaN();
   run.numbers["not_computed"] = std::numeric_limits<double>::infinity();
-  write_results(run, evaluate(run, trial()), out,
+  write_results(run, evaluate(run, comfort_trial()), out,
                 {.versions = {{"snug", "0.1.0"}}, .input_hashes = {}, .mesh_quality = {}});
   const auto json = nlohmann::json::parse(text_of(out / "summary.json"));
   EXPECT_EQ(json["status"], "converged");
@@ -286,7 +286,7 @@ TEST(Recorders, ComfortNamesMembershipsRulesScoreAndTerm) {
   // comfort.json carries what the fuzzy system did, as score --json does.
   const auto out = fresh_folder("comfort");
   const RunResult run = run_scene();
-  const Evaluation evaluation = evaluate(run, trial());
+  const Evaluation evaluation = evaluate(run, comfort_trial());
   write_results(run, evaluation, out);
   const auto json = nlohmann::json::parse(text_of(out / "comfort.json"));
   EXPECT_DOUBLE_EQ(json["score"], evaluation.comfort->score);
@@ -302,7 +302,7 @@ TEST(Recorders, CsvTablesReadBackInEveryUnit) {
   // locations.csv repeats one pressure in Pa, gf/cm2 and mmHg; history.csv has one row an iteration.
   const auto out = fresh_folder("csv");
   const RunResult run = run_scene();
-  write_results(run, evaluate(run, trial()), out);
+  write_results(run, evaluate(run, comfort_trial()), out);
   input::Diagnostics diagnostics;
   const auto locations = input::read_csv(out / "locations.csv", diagnostics);
   const double pascal = input::numbers(locations, "mean_pressure_Pa", "", diagnostics).at(0);

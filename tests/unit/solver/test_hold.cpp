@@ -26,14 +26,14 @@ input::Case on_cone(double slope, int around = 16) {
   return c;
 }
 
-struct Worn {
+struct HeldSleeve {
   solver::Meshes meshes;
   solver::Scene scene;
   solver::State placed, state;
   postproc::RunResult result;
 };
 
-Worn wear(const input::Case& c) {
+HeldSleeve wear(const input::Case& c) {
   solver::Meshes meshes = make_meshes(c);
   solver::Scene scene = tests::make_scene(c, meshes, solver::Skin::rigid);
   solver::State placed = solver::placed_state(scene.layout(), meshes);
@@ -52,7 +52,7 @@ Eigen::Vector3d radial(const Eigen::Vector3d& x) { return Eigen::Vector3d(x.x(),
 // No node of the edge moves along the generator of the cone, though they do move (the lift off the skin closes), and each
 // one's reaction, read from the residual, lies along the generator.
 TEST(HeldEdge, HoldsAlongTheGeneratorOfACone) {
-  Worn worn = wear(on_cone(taper));
+  HeldSleeve worn = wear(on_cone(taper));
   const Eigen::VectorXd residual = worn.scene.full_residual(worn.state);
   double moved = 0.0, force = 0.0;
   for (const int node : worn.meshes.garments.front().edges.at("upper")) {
@@ -71,7 +71,7 @@ TEST(HeldEdge, HoldsAlongTheGeneratorOfACone) {
 // Forces and moments balance to round-off of the contact force, so that the reaction is all that holds the edge; statics of a
 // frictionless cone: the reaction's axial part is the contact forces' own, tan of the half angle over its cosine.
 TEST(HeldEdge, TheReactionBalancesTheContactForces) {
-  const Worn worn = wear(on_cone(taper));
+  const HeldSleeve worn = wear(on_cone(taper));
   const auto& balance = worn.result.balance;
   EXPECT_LE(balance.force_error.norm(), 1e-8 * balance.contact_force);
   EXPECT_LE(balance.moment_error.norm(), 1e-9 * balance.contact_force);
@@ -82,7 +82,7 @@ TEST(HeldEdge, TheReactionBalancesTheContactForces) {
 // Held along the meridian, the edge adds no line load: less than a tenth of what a hold along the axis would press with, tension
 // times taper.
 TEST(HeldEdge, PressesNoLineIntoTheSkin) {
-  const Worn worn = wear(on_cone(taper, 24));
+  const HeldSleeve worn = wear(on_cone(taper, 24));
   const auto hem = std::find_if(worn.result.hems.begin(), worn.result.hems.end(), [](const auto& h) { return h.edge == "upper"; });
   ASSERT_NE(hem, worn.result.hems.end());
   const double tension = worn.result.balance.reactions.at("upper edge").z() / hem->length;  // N/m

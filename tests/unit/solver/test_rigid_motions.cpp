@@ -20,7 +20,7 @@ BodyMesh block(CellKind kind = CellKind::hex27) {
   return make_block(grid);
 }
 
-std::set<NodeComponent> hold(const BodyMesh& mesh, const std::string& surface, const std::vector<int>& components) {
+std::set<NodeComponent> held_components(const BodyMesh& mesh, const std::string& surface, const std::vector<int>& components) {
   std::set<NodeComponent> held;
   for (const int node : mesh.surface(surface)->nodes)
     for (const int c : components) held.emplace(node, c);
@@ -37,22 +37,22 @@ TEST(RigidMotions, AreNamedByWhatSupportsLeaveFree) {
   for (const CellKind kind : {CellKind::hex27, CellKind::hex8, CellKind::tet10}) {
     BodyMesh mesh = block(kind);
     EXPECT_EQ(free_text(mesh, {}), "to move along x, y and z and to turn about x, y and z");
-    EXPECT_EQ(free_text(mesh, hold(mesh, "back", {2})), "to move along x and y and to turn about z");
-    EXPECT_EQ(free_text(mesh, hold(mesh, "left", {1, 2})), "to move along x and to turn about y and z");
-    EXPECT_EQ(free_text(mesh, hold(mesh, "left", {0, 1, 2})), "");
+    EXPECT_EQ(free_text(mesh, held_components(mesh, "back", {2})), "to move along x and y and to turn about z");
+    EXPECT_EQ(free_text(mesh, held_components(mesh, "left", {1, 2})), "to move along x and to turn about y and z");
+    EXPECT_EQ(free_text(mesh, held_components(mesh, "left", {0, 1, 2})), "");
     name_nodes(mesh, "edge", [](const Eigen::Vector3d& x) { return x.x() < 1e-9 && x.z() < 1e-9; });
-    EXPECT_EQ(free_text(mesh, hold(mesh, "edge", {0, 1, 2})), "to turn about y");
+    EXPECT_EQ(free_text(mesh, held_components(mesh, "edge", {0, 1, 2})), "to turn about y");
     name_nodes(mesh, "corners", [](const Eigen::Vector3d& x) {
       return x.norm() < 1e-9 || (x - Eigen::Vector3d(0.2, 0.1, 0.0)).norm() < 1e-9;
     });
-    EXPECT_EQ(free_text(mesh, hold(mesh, "corners", {0, 1, 2})), "to turn about (0.894, 0.447, 0)");
+    EXPECT_EQ(free_text(mesh, held_components(mesh, "corners", {0, 1, 2})), "to turn about (0.894, 0.447, 0)");
   }
 }
 
 // A part that no cell connects with the held rest is free by itself, and is named by its place.
 TEST(RigidMotions, OfUnconnectedPartsAreFoundByPart) {
   BodyMesh mesh = block(), other = block();
-  const auto held = hold(mesh, "left", {0, 1, 2});
+  const auto held = held_components(mesh, "left", {0, 1, 2});
   const int first = static_cast<int>(mesh.nodes.size());
   for (const Eigen::Vector3d& x : other.nodes) mesh.nodes.push_back(x + Eigen::Vector3d(0.0, 0.5, 0.0));
   for (mesh::CellNodes cell : other.cells) {
@@ -70,7 +70,7 @@ TEST(RigidMotions, OfUnconnectedPartsAreFoundByPart) {
 TEST(RigidMotions, AreHeldByAsManyComponents) {
   const BodyMesh mesh = block();
   for (const std::vector<int>& components : {std::vector<int>{}, {2}, {1, 2}}) {
-    std::set<NodeComponent> held = hold(mesh, "back", components);
+    std::set<NodeComponent> held = held_components(mesh, "back", components);
     const auto parts = solver::free_parts(mesh, held);
     ASSERT_EQ(parts.size(), 1u);
     const auto chosen = determinate_supports(parts.front(), mesh);

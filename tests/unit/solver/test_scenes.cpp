@@ -16,7 +16,7 @@ namespace {
 using solver::Skin;
 using testing::ElementsAre, testing::HasSubstr, testing::Key, testing::UnorderedElementsAre;
 
-TubeCase coarse() {
+TubeCase coarse_tube() {
   TubeCase tube;
   tube.around = 8, tube.along = 2, tube.through = 1;
   return tube;
@@ -37,7 +37,7 @@ std::vector<std::string> phase_names(const postproc::RunResult& result) {
 }
 
 TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
-  input::Case c = describe_tube(coarse());
+  input::Case c = describe_tube(coarse_tube());
   c.garments.clear(), c.contacts.clear();
   c.load.emplace().skin_pressure = 1000.0;
   const solver::Meshes meshes = make_meshes(c);
@@ -53,7 +53,7 @@ TEST(Parts, ACaseWithoutGarmentHasNoGarmentNoContactAndNoRigidPhase) {
 }
 
 TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
-  TubeCase tube = coarse();
+  TubeCase tube = coarse_tube();
   tube.tier = input::Tier::L1;
   const input::Case c = describe_tube(tube);
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
@@ -65,7 +65,7 @@ TEST(Parts, TheRigidTierHasNoBodyUnknownsAndNoTissue) {
 }
 
 TEST(Parts, AGarmentWithoutContactHasNoContactTermAndNoMultipliers) {
-  input::Case c = describe_tube(coarse());
+  input::Case c = describe_tube(coarse_tube());
   c.contacts.clear();
   c.solver.tier = input::Tier::L1;
   const solver::Meshes meshes = make_meshes(c);
@@ -74,7 +74,7 @@ TEST(Parts, AGarmentWithoutContactHasNoContactTermAndNoMultipliers) {
 }
 
 TEST(Parts, TierL0HasNoUnknownsAtAll) {
-  TubeCase tube = coarse();
+  TubeCase tube = coarse_tube();
   tube.tier = input::Tier::L0;
   const input::Case c = describe_tube(tube);
   EXPECT_TRUE(tests::plan(c, make_meshes(c)).unknowns.empty());
@@ -85,7 +85,7 @@ TEST(Parts, TierL0HasNoUnknownsAtAll) {
 }
 
 TEST(Parts, EveryPartOfTheFullSceneIsThereOnce) {
-  EXPECT_THAT(term_names(describe_tube(coarse()), Skin::deformable),
+  EXPECT_THAT(term_names(describe_tube(coarse_tube()), Skin::deformable),
               ElementsAre("tissue", "fabric of garment", "contact"));
 }
 
@@ -94,7 +94,7 @@ bool says(const std::vector<std::string>& list, const std::string& text) {
 }
 
 TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo) {
-  TubeCase tube = coarse();
+  TubeCase tube = coarse_tube();
   tube.sleeve = 0.058;  // on a limb of 55 mm
   input::Case c = describe_tube(tube);
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "bending of garment", "weight of garment", "contact"));
@@ -109,7 +109,7 @@ TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo)
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
   EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "bending: the case says so"));
 
-  c = describe_tube(coarse());
+  c = describe_tube(coarse_tube());
   EXPECT_THAT(term_names(c, Skin::rigid), ElementsAre("fabric of garment", "contact"));
   EXPECT_TRUE(says(tests::plan(c, make_meshes(c)).parts_out, "bending: the garment is nowhere wider than the body"));
   c.garments.front().bending = true;
@@ -120,7 +120,7 @@ TEST(Parts, LooseClothHasBendingAndWeightAndTightClothHasThemWhereTheCaseSaysSo)
 
 /// A loose sleeve hangs from its upper edge: that edge bears its weight, no more and no less.
 TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
-  TubeCase tube = coarse();
+  TubeCase tube = coarse_tube();
   tube.sleeve = 0.058;
   tube.tier = input::Tier::L1;
   input::Case c = describe_tube(tube);
@@ -138,7 +138,7 @@ TEST(Equilibrium, ALooseSleeveHangsFromItsHeldEdgeByItsWeight) {
 
 /// A sleeve of 40 mm that no edge holds, on a limb of 60 mm whose radius grows from `lower` to `upper`.
 input::Case free_sleeve(double lower, double upper) {
-  TubeCase tube = coarse();
+  TubeCase tube = coarse_tube();
   tube.along = 4;
   input::Case c = describe_tube(tube);
   c.body->stations = std::filesystem::temp_directory_path() / ("snug-cone-" + std::to_string(::getpid()) + ".csv");
@@ -183,7 +183,7 @@ TEST(Equilibrium, AFreeSleeveOnARigidCylinderIsInEquilibrium) {
 
 /// Hoop stretch l = R / Rf; T = c l (l^2 - 1) / 2 by the fabric law (S = c E); p = T / R by Laplace.
 TEST(Laplace, PressureOnACylinderIsTensionOverRadius) {
-  const TubeCase tube = coarse();
+  const TubeCase tube = coarse_tube();
   const input::Case c = describe_tube(tube);
   const solver::Meshes meshes = make_meshes(c);
   const auto l0 =
