@@ -34,6 +34,7 @@ void KeyList::push(const Field& field, const std::string& key, const std::string
 }
 
 void KeyList::add(const Field& field, const std::string& key, double member, const std::string& list) {
+  if (std::isnan(member)) return push(field, key, list + (field.unit.empty() ? "number" : "quantity"), "");  // stands for: not given
   if (field.unit.empty()) return push(field, key, list + "number", fmt::format("{}", member));
   push(field, key, list + "quantity", fmt::format("\"{} {}\"", member, field.unit));
 }

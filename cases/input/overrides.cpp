@@ -1,5 +1,6 @@
 #include "cases/input/overrides.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 
@@ -9,7 +10,10 @@ namespace snug::input {
 
 namespace {
 
-std::vector<std::string> split_path(const std::string& path) {
+/// "body.layers[1].cells", as messages and `snug explain` name keys, is body.layers.1.cells.
+std::vector<std::string> split_path(std::string path) {
+  std::replace(path.begin(), path.end(), '[', '.');
+  std::erase(path, ']');
   std::vector<std::string> steps;
   std::istringstream stream(path);
   for (std::string step; std::getline(stream, step, '.');) steps.push_back(step);

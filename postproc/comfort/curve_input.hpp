@@ -104,10 +104,9 @@ struct CurvesInput {
     field(Field{.key = "name", .meaning = "what the set is called", .required = true}, self.name);
     field(Field{.key = "source", .meaning = "citation", .required = true}, self.source);
     field(Field{.key = "patch",
-                .meaning = "size of the loaded or measured patch of skin, or that it is not known",
-                .required = true},
+                .meaning = "size of the loaded or measured patch of skin, or that it is not known; ranges of pressure alone need none"},
           self.patch);
-    field(Field{.key = "population", .meaning = "who was asked, or that it is not known", .required = true},
+    field(Field{.key = "population", .meaning = "who was asked, or that it is not known; ranges of pressure alone need none"},
           self.population);
     field(Field{.key = "notes", .meaning = "what a user of the numbers must know"}, self.notes);
     field(Field{.key = "observations",

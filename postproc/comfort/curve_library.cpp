@@ -111,10 +111,16 @@ SensationCurves read_set(const input::Table& table, const std::string& file, con
     diagnostics.throw_if_any();
     set = fit_curves(observed, from.shape);
   }
+  const bool rates = !from.curves.empty() || !from.observations.empty();
+  const auto stated = [&](const std::string& text, const char* key, const char* example) {
+    if (rates && text.empty())
+      diagnostics.error(table.where, fmt::format("curves without {}", key), fmt::format("write {} = \"{}\", or that it is not known", key, example));
+    return text.empty() ? std::string("not stated") : text;
+  };
   set.name = from.name;
   set.source = from.source;
-  set.patch = from.patch;
-  set.population = from.population;
+  set.patch = stated(from.patch, "patch", "5 cm2");
+  set.population = stated(from.population, "population", "14 women, 20 to 31 years");
   set.notes = from.notes;
   for (const CurveInput& curve : from.curves) {
     if (set.find(curve.location))

@@ -17,7 +17,7 @@ template <class Archive, class R>
   requires std::is_same_v<std::remove_const_t<R>, PathRecord>
 static void each(Archive& with, R& r) {
   each(with, r.state), with(r.before);
-  with(r.reached), with(r.span), with(r.step), with(r.increments), with(r.lost), with(r.crept), with(r.ended), with(r.complete);
+  with(r.reached), with(r.span), with(r.step), with(r.increments), with(r.lost), with(r.crept), with(r.slid), with(r.ended), with(r.complete);
   with(r.message), with(r.rows);
 }
 

@@ -20,6 +20,7 @@ struct PathRecord {
   int increments = 0;
   int lost = 0;                 ///< iterations of increments that failed
   int crept = 0;                ///< iterations on which cloth crept (creep.hpp)
+  double slid = 0.0;            ///< largest way of a node while it did, m
   bool ended = false, complete = false;
   std::string message = {};
   std::vector<postproc::Iteration> rows = {};

@@ -8,6 +8,7 @@
 #include "solver/stepping/creep.hpp"
 #include "solver/stepping/journal.hpp"
 #include "solver/stepping/minimise.hpp"
+#include "solver/terms/drag.hpp"
 
 namespace snug::solver {
 
@@ -132,6 +133,7 @@ class Walk {
       note(row);
     });
     if (outcome == Outcome::converged) at_.lost = 0;
+    if (const Drag* drag = scene_.find<Drag>()) at_.slid = std::max(at_.slid, drag->way(at_.state.values, trial.values));
     return outcome;
   }
 
@@ -170,7 +172,7 @@ class Walk {
   }
 
   PathResult result() const {
-    PathResult path{at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.crept, at_.message};
+    PathResult path{at_.state, at_.reached, at_.complete, at_.increments, at_.lost, at_.crept, at_.slid, at_.message};
     scene_.look(path.state);
     return path;
   }

@@ -53,6 +53,7 @@ struct PathResult {
   int increments = 0;
   int lost = 0;                 ///< iterations of increments that failed
   int crept = 0;                ///< iterations on which cloth crept
+  double slid = 0.0;            ///< largest way of a node while it did, m
   std::string message = {};     ///< why not
 };
 

@@ -290,12 +290,13 @@ class Run {
     lost_ += path.lost;
     log_.end_path(scene, path.increments, stage.name);
     if (path.crept > 0 && path.complete)
-      result_.assumptions.push_back(fmt::format("{}: cloth crept to where it rests ({} iterations), for no path of equilibria was found; where loose cloth rests hangs on the way there", stage.name, path.crept));
+      result_.assumptions.push_back(fmt::format("{}: cloth crept to where it rests, {:.3g} mm away at most ({} iterations), for no path of equilibria was found; where loose cloth rests hangs on the way there", stage.name, 1e3 * path.slid, path.crept));
     result_.status = path.complete ? postproc::Status::converged : log_.increments() > 0 ? postproc::Status::partial : postproc::Status::failed;
     const double fraction = path.state.load < 1.0 ? path.state.load : path.reached;
     before_ = std::exchange(result_.truth, {stage.name, stage.skin == Skin::deformable, fraction, path.state.stiffening, 1.0 / path.state.release});
     if (!path.complete)
-      result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}", stage.name, 100.0 * path.reached, path.message);
+      result_.message = fmt::format("{} stopped at {:.1f} % of its path: {}{}", stage.name, 100.0 * path.reached, path.message,
+                                    path.crept > 0 ? fmt::format("; cloth crept on by {:.3g} mm at most ({} iterations) and did not come to rest", 1e3 * path.slid, path.crept) : "");
     ++stages_;
     return path.complete;
   }

@@ -1,6 +1,8 @@
 #include "solver/terms/drag.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace snug::solver {
 
@@ -16,6 +18,16 @@ void Drag::hold_back(State& state, double drag) {
   DragHistory& history = state.history.edit<DragHistory>(own_name);
   history.drag = drag;
   history.from = drag > 0.0 ? state.values : Eigen::VectorXd();
+}
+
+// A node is held back in all three directions, whose entries follow one another.
+double Drag::way(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
+  double squared = 0.0;
+  for (std::size_t i = 0; i + 2 < weights_.size(); i += 3) {
+    const int entry = entries_.of(static_cast<int>(i))[0];
+    squared = std::max(squared, (to.segment<3>(entry) - from.segment<3>(entry)).squaredNorm());
+  }
+  return std::sqrt(squared);
 }
 
 // No state that is stored is held back.

@@ -26,6 +26,8 @@ class Drag : public Term {
 
   /// From here on the state's cloth is held back on its way from where it is; 0: it is not.
   static void hold_back(State& state, double drag);
+  /// Largest way of a node that is held back between two values of the state, m.
+  double way(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const;
 
   std::string name() const override { return own_name; }
   const ElementEntries& entries(const State&) const override { return entries_; }

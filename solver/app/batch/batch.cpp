@@ -117,9 +117,19 @@ std::string last_lines(const std::string& output) {
   return text.size() > 2000 ? "…" + text.substr(text.size() - 2000) : text;
 }
 
-/// "Ankle 18.20, Calf 12.95 mmHg"
-std::string pressures_text(const fs::path& out) {
-  const postproc::Json summary = postproc::Json::parse(input::read_file(out / postproc::summary_file));
+/// ", Ankle class 2 (RAL-GZ 387)", ", calf 97.3 % of what it is to have", ", probe 12.10 mmHg".
+std::string judged_text(const postproc::Json& summary) {
+  const postproc::Json none = postproc::Json::array();
+  std::string text;
+  for (const auto& row : summary.value("thresholds", none))
+    if (const std::string verdict = row.value("verdict", ""); !verdict.empty()) text += fmt::format(", {} {} ({})", row.value("location", ""), verdict, row.value("set", ""));
+  for (const auto& row : summary.value("targets", none)) text += fmt::format(", {} {:.1f} % of what it is to have", row.value("name", ""), 100.0 * row.value("found_over_wanted", 0.0));
+  for (const auto& row : summary.value("sensors", none)) text += fmt::format(", {} {:.2f} mmHg", row.value("name", ""), row.value("reading_mmHg", 0.0));
+  return text;
+}
+
+/// "Ankle 18.20, Calf 12.95 mmHg, Ankle class 2 (RAL-GZ 387)"
+std::string pressures_text(const postproc::Json& summary) {
   std::string text;
   for (const auto& row : summary.value("locations", postproc::Json::array()))
     if (row.value("coverage", 0.0) > 0.0) text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", row.value("location", ""), row.value("mean_pressure_mmHg", 0.0));
@@ -128,9 +138,15 @@ std::string pressures_text(const fs::path& out) {
   return text.empty() ? text : text + " mmHg";
 }
 
+std::string results_text(const fs::path& out) {
+  const postproc::Json summary = postproc::Json::parse(input::read_file(out / postproc::summary_file));
+  const std::string pressures = pressures_text(summary), judged = judged_text(summary);
+  return pressures.empty() && !judged.empty() ? judged.substr(2) : pressures + judged;
+}
+
 std::string ended_text(const Job& job) {
   std::string text = fmt::format("{}: {}, {:.1f} s", job.name, status_word(job), job.outcome.wall);
-  if (job.has_results()) text += fmt::format("; {} → {}", pressures_text(job.out), job.out.string());
+  if (job.has_results()) text += fmt::format("; {} → {}", results_text(job.out), job.out.string());
   if (const std::string said = last_lines(job.outcome.output); !said.empty()) text += "\n  " + [&] {
     std::string indented;
     for (const char c : said) indented += c == '\n' ? std::string("\n  ") : std::string(1, c);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "cases/input/job_spec.hpp"
+#include "cases/input/key_list.hpp"
 #include "cases/input/overrides.hpp"
 #include "cases/input/toml_edit.hpp"
 
@@ -52,6 +53,25 @@ TEST(TomlEdit, WhatCannotBeWrittenIsNoText) {
   EXPECT_FALSE(with_value("a = 1\n", "a", "2 mm"));
   EXPECT_FALSE(with_value("[[garment]]\nname = \"x\"\n[[garment]]\nname = \"y\"\n", "garment.z.order", "1"));
   EXPECT_FALSE(with_value("a = [", "a", "2"));
+}
+
+TEST(Overrides, NameEntriesOfAListAsMessagesDo) {
+  // body.layers[1].cells, body.layers.1.cells and, by its name, body.layers.fat.cells are one key; the other layer keeps its own.
+  for (const std::string key : {"body.layers[1].cells", "body.layers.1.cells", "body.layers.fat.cells"}) {
+    Diagnostics wrong;
+    Table root = parse_text("[body]\nlayers = [{ name = \"muscle\", cells = 2 }, { name = \"fat\", cells = 2 }]\n", {"text", 1, 1}, wrong);
+    apply_overrides(root, {key + "=5"}, wrong);
+    EXPECT_FALSE(wrong.any()) << key;
+    const auto& layers = std::get<std::vector<Value>>(root.table("body")->find("layers")->data);
+    double muscle = 0.0, fat = 0.0;
+    EXPECT_EQ(*layers[0].table()->find("cells")->number(muscle), 2.0) << key;
+    EXPECT_EQ(*layers[1].table()->find("cells")->number(fat), 5.0) << key;
+  }
+}
+
+TEST(KeyList, WhatIsNotGivenHasNoDefault) {
+  // The sector of a location may be left out: its angles have no default, and none is called "nan rad"; a width that has one keeps it.
+  for (const KeyRow& row : case_keys()) EXPECT_EQ(row.default_value.find("nan"), std::string::npos) << row.key;
 }
 
 TEST(Overrides, SetKeysOfAPatternThatIsAFile) {

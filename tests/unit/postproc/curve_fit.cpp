@@ -139,6 +139,21 @@ TEST(CurveFit, WrongFilesAreErrors) {
     EXPECT_THROW(found(written("wrong.toml", wrong)), input::InputError) << wrong;
 }
 
+TEST(Bands, RangesOfPressureAloneNeedNoPatchAndNobodyAsked) {
+  // Ranges with name and source are read, and say that nothing is stated; a curve without patch or population is refused by the key it lacks.
+  const std::string name = "name = \"a\"\nsource = \"b\"\n", band = "[[bands]]\nname = \"class 1\"\nfrom = \"1 kPa\"\nto = \"3 kPa\"\n";
+  const SensationCurves ranges = found(written("ranges.toml", name + band));
+  ASSERT_EQ(ranges.bands.size(), 1u);
+  EXPECT_EQ(ranges.patch, "not stated");
+  const std::string line = "[[curves]]\nlocation = \"calf\"\nintercept = 0.1\nslope = \"0.1 cm2/gf\"\nrange = [\"1 kPa\", \"2 kPa\"]\n";
+  try {
+    found(written("curve.toml", name + "patch = \"5 cm2\"\n" + line + band));
+    FAIL() << "a curve of nobody";
+  } catch (const input::InputError& wrong) {
+    EXPECT_NE(std::string(wrong.what()).find("curves without population"), std::string::npos) << wrong.what();
+  }
+}
+
 TEST(Bands, PressuresGetTheirNames) {
   // Inside, below, between and above the classes of a location; other locations are not spoken of.
   input::MaterialEntry reference;

@@ -41,6 +41,24 @@ TEST(Drag, IsTheDerivativeOfItsEnergy) {
   EXPECT_EQ(assemble(sleeve.drag(), from, solver::Tangent::none).residual.norm(), 0.0);  // where it set out from
 }
 
+TEST(Drag, TellsTheLargestWayOfANode) {
+  // Of two nodes of the garment one goes 3, 4 and 12 mm along x, y and z and another 10 mm along x: 13 mm; what moves inside the body is not cloth.
+  Sleeve sleeve;
+  const solver::Field& garment = sleeve.scene.layout()[sleeve.meshes.garments.front().name];
+  const solver::Field& body = sleeve.scene.layout()["body"];
+  std::vector<char> skin(sleeve.meshes.body.nodes.size(), 0);
+  for (const auto& facet : sleeve.meshes.body.skin_facets)
+    for (const int node : facet)
+      if (node >= 0) skin[node] = 1;
+  Eigen::VectorXd to = sleeve.state.values;
+  for (std::size_t node = 0; node < skin.size(); ++node)
+    if (!skin[node] && body(static_cast<int>(node), 0) >= 0) to[body(static_cast<int>(node), 0)] += 0.5;
+  const int last = garment.count - 1;
+  to[garment(0, 0)] += 3e-3, to[garment(0, 1)] += 4e-3, to[garment(0, 2)] += 12e-3;
+  to[garment(last, 0)] += 10e-3;
+  EXPECT_NEAR(sleeve.drag().way(sleeve.state.values, to), 13e-3, 1e-12);
+}
+
 TEST(Drag, HoldsClothAndSkinAndNothingBelow) {
   // Every node of the garment and of the skin is held back, none in the depth of the body is.
   Sleeve sleeve;

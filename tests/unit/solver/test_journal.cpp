@@ -15,7 +15,7 @@ PathRecord record() {
   path.state.history.put("contact", std::make_shared<StoredHistory>(std::string("\x01\x00\x7f", 3)));
   path.before = 0.3 * path.state.values;
   path.reached = 0.25, path.span = 0.125, path.step = 0.0625;
-  path.increments = 2, path.lost = 11, path.message = "the iteration makes no progress";
+  path.increments = 2, path.lost = 11, path.crept = 5, path.slid = 0.013, path.message = "the iteration makes no progress";
   path.rows = {{.increment = 1, .load = 0.5, .iteration = 3, .residual = 1e-5, .event = "lagged", .attempt = 2}};
   return path;
 }
@@ -34,6 +34,8 @@ TEST(Journal, IsReadBackToTheLastBit) {
   EXPECT_EQ(path.state.history.get<StoredHistory>("contact").bytes, std::string("\x01\x00\x7f", 3));
   EXPECT_EQ(path.rows[0].event, "lagged");
   EXPECT_EQ(path.lost, 11);
+  EXPECT_EQ(path.crept, 5);
+  EXPECT_EQ(path.slid, 0.013);
 }
 
 TEST(Journal, GivesThePathsInTheirOrderAndThenNone) {
