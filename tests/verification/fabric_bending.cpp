@@ -4,6 +4,7 @@
 #include "mesh/particles/particle_cloth.hpp"
 #include "tests/verification/book.hpp"
 #include "tests/verification/membrane_scene.hpp"
+#include "tests/verification/tube.hpp"
 
 namespace snug::tests {
 namespace {
@@ -42,6 +43,7 @@ TEST(FabricBending, AStripUnderItsOwnWeightHangsAsTheHeavyElastica) {
     const std::string scene = fmt::format("fabric cantilever, w L^3/B = {}", row.q);
     book(scene, "x of the tip over L", tip.x() / L, row.x, 1e-3, "reference book 2.3: heavy elastica (s04)");
     book(scene, "fall of the tip over L", -tip.z() / L, row.y, 1e-3, "reference book 2.3: heavy elastica (s04)");
+    if (row.q == 8.0) book(scene, "angle of the chord, deg", std::atan2(-tip.z(), tip.x()) * 180.0 / std::numbers::pi, 41.5, 2e-3, "Peirce, J. Textile Inst. 21 (1930) T377");
   }
 }
 
@@ -105,6 +107,30 @@ TEST(FabricBending, ASewnLoopIsRound) {
   const double across = (sheet.at(sheet.node_at({0.0, 0.0})) - sheet.at(sheet.node_at({0.5 * L, 0.0}))).norm();
   const double deep = (sheet.at(sheet.node_at({0.25 * L, 0.0})) - sheet.at(sheet.node_at({0.75 * L, 0.0}))).norm();
   book("sewn loop", "its two diameters", deep / across, 1.0, 1e-3, "a circle");
+}
+
+// With a bending stiffness that goes to nothing a tight sleeve is the membrane's: its pressures are those of the scene without the term, and with a thousand times
+// that stiffness a thousand times as far from them.
+TEST(FabricBending, ASleeveThatHardlyBendsPressesAsAMembrane) {
+  TubeCase tube;
+  tube.around = 12, tube.along = 3, tube.through = 1, tube.tier = input::Tier::L1, tube.taper = 0.1;
+  const std::string fabric = tube.fabric;
+  const auto pressures = [&](double B) {
+    tube.fabric = fabric + fmt::format("\nB = '{:.17g} N m'", B);
+    input::Case c = describe_tube(tube);
+    c.contacts.front().friction = 0.5;
+    c.garments.front().bending = B > 0.0;
+    const postproc::RunResult run = tests::solve(c, make_meshes(c));
+    EXPECT_EQ(run.status, postproc::Status::converged) << run.message;
+    Eigen::VectorXd forces(run.samples.size());
+    for (std::size_t i = 0; i < run.samples.size(); ++i) forces[i] = run.samples[i].force;
+    return forces;
+  };
+  const Eigen::VectorXd membrane = pressures(0.0);
+  const auto off = [&](double B) { return (pressures(B) - membrane).norm() / membrane.norm(); };
+  const double faint = off(1e-11), light = off(1e-8);
+  book("sleeve that hardly bends", "pressures off the membrane's, B 1e-11 N m", faint, 0.0, 1e-7, "B to 0");
+  EXPECT_GT(light, 100.0 * faint);
 }
 
 /// The same strip as particles at the corners of its triangles, at rest: the place of its end.

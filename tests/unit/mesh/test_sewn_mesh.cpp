@@ -1,5 +1,6 @@
 #include "tests/unit/mesh/patterns.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -165,6 +166,52 @@ darts = [{ sides = ["in", "out"] }]
   EXPECT_EQ(mesh_euler(mesh), 0);  // a disc with a hole
   EXPECT_TRUE(mesh.open.contains("eye"));
   for (const Vector2d& warp : mesh.warp) EXPECT_LT((warp - Vector2d(std::sqrt(0.5), std::sqrt(0.5))).norm(), 1e-15);
+}
+
+/// Largest principal strain (Green's, as it is, without sign) in the middle of a triangle whose nodes stand at `x`.
+double strain_in_the_middle(const SewnMesh& mesh, const std::array<int, 6>& t, const std::vector<Vector3d>& x) {
+  Eigen::Matrix<double, 3, 3> G;  // columns: dx/dL of the area coordinates
+  for (int i = 0; i < 3; ++i) G.col(i) = (x[t[i]] + 4.0 * (x[t[3 + i]] + x[t[3 + (i + 2) % 3]])) / 3.0;
+  Eigen::Matrix<double, 3, 2> d;
+  d << G.col(0) - G.col(2), G.col(1) - G.col(2);
+  Eigen::Matrix2d D;
+  D << mesh.flat[t[0]] - mesh.flat[t[2]], mesh.flat[t[1]] - mesh.flat[t[2]];
+  const Eigen::Matrix<double, 3, 2> F = d * D.inverse();
+  const Eigen::Matrix2d E = 0.5 * (F.transpose() * F - Eigen::Matrix2d::Identity());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(E).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+/// A disc of 100 mm with a dart of 60 degrees to its middle, put on the cone of that half angle: the mean of what its triangles are strained by, over their areas.
+double strain_on_cone(double cell, double half_angle) {
+  const SewnMesh mesh = mesh_pattern(checked_toml(R"(unit = "1 mm"
+[[piece]]
+name = "disc"
+edges = [
+  { name = "in", from = [0, 0] },
+  { name = "rim", kind = "arc", from = [50, -86.60254037844386], through = [[0, 100]] },
+  { name = "out", from = [-50, -86.60254037844386] },
+]
+darts = [{ sides = ["out", "in"] }]
+)"), cell);
+  expect_sound(mesh);
+  std::vector<Vector3d> x;
+  for (const Vector2d& flat : mesh.flat) {
+    const double angle = std::atan2(-flat.x(), flat.y()) * 360.0 / 300.0;  // from the middle of the cloth; the dart lies at half a turn
+    x.push_back(flat.norm() * Vector3d(std::sin(half_angle) * std::cos(angle), std::sin(half_angle) * std::sin(angle), -std::cos(half_angle)));
+  }
+  for (std::size_t n = 0; n < x.size(); ++n) EXPECT_LT((x[n] - x[mesh.merged[n]]).norm(), 1e-9);  // both sides of the dart meet
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles) sum += 0.5 * twice_area(mesh, t) * strain_in_the_middle(mesh, t, x);
+  return sum / area(mesh);
+}
+
+TEST(SewnMesh, ADartMakesTheConeOfItsAngleWithoutStrain) {
+  // sin a = 1 - 60/360: there the strain is of the triangles alone and falls with the square of their size; on a cone that is a tenth blunter it is not.
+  const double half_angle = std::asin(1.0 - 60.0 / 360.0);
+  const double coarse = strain_on_cone(0.016, half_angle), fine = strain_on_cone(0.008, half_angle);
+  EXPECT_LT(fine, 1e-3);
+  EXPECT_GT(std::log2(coarse / fine), 1.6);
+  EXPECT_GT(strain_on_cone(0.008, 1.1 * half_angle), 20.0 * fine);
 }
 
 /// Where one side is longer, its divisions are: as many on both.
