@@ -22,9 +22,9 @@ ImplicitParticles::ImplicitParticles(Places places, std::vector<HeldComponents> 
       search_(search) {
   const std::size_t count = mass_.size();
   if (count == 0 || places_.size() != count || held_.size() != count || drag_.size() != count)
-    throw std::invalid_argument("a sheet needs a place for every particle");
+    throw std::invalid_argument("every particle needs a place, a mass and what holds it");
   if (!(*std::min_element(mass_.begin(), mass_.end()) > 0.0) || !(*std::min_element(drag_.begin(), drag_.end()) >= 0.0))
-    throw std::invalid_argument("a sheet needs spacings and a density");
+    throw std::invalid_argument("particles need masses, and a drag that is not negative");
   velocities_.assign(count, Vector3d::Zero());
   pulls_.assign(count, Vector3d::Zero());
 }
@@ -59,10 +59,12 @@ double ImplicitParticles::kinetic_energy() const {
   return sum;
 }
 
-void ImplicitParticles::move_to(Places places) {
-  if (places.size() != places_.size()) throw std::invalid_argument("a sheet needs a place for every particle");
+void ImplicitParticles::move_to(Places places, Places velocities) {
+  if (velocities.empty()) velocities.assign(places.size(), Vector3d::Zero());
+  if (places.size() != places_.size() || velocities.size() != places_.size())
+    throw std::invalid_argument("every particle needs a place and a velocity");
   places_ = std::move(places);
-  velocities_.assign(places_.size(), Vector3d::Zero());
+  velocities_ = std::move(velocities);
   arrive();
 }
 
@@ -78,6 +80,12 @@ Places ImplicitParticles::total_forces() const {
   add_gravity(places_, sum);
   for (std::size_t n = 0; n < places_.size(); ++n) sum.gradient[n] = pulls_[n] - sum.gradient[n];
   return sum.gradient;
+}
+
+Places ImplicitParticles::drag_forces() const {
+  Places forces;
+  for (std::size_t n = 0; n < velocities_.size(); ++n) forces.emplace_back(-drag_[n] * velocities_[n]);
+  return forces;
 }
 
 namespace {

@@ -29,8 +29,8 @@ class ImplicitParticles {
   /// energy together never grow. Throws std::runtime_error where the smallest parts do not converge.
   void step(double dt);
 
-  /// Puts the particles elsewhere, at rest.
-  void move_to(Places places);
+  /// Puts the particles elsewhere, with velocities (m/s); left out: at rest.
+  void move_to(Places places, Places velocities = {});
   const Places& places() const { return places_; }
   const Places& velocities() const { return velocities_; }
   double mass(int particle) const { return mass_[particle]; }  ///< kg
@@ -46,6 +46,8 @@ class ImplicitParticles {
   /// N, the sum of all forces but drag on every particle: what holds it answers its held components, the rest is out of
   /// balance.
   Places total_forces() const;
+  /// N, what air bears every particle with: -c v, as in m a + c v = m g ([Thesis] sec. 4.3.3).
+  Places drag_forces() const;
   int iterations() const { return iterations_; }  ///< of Newton's method, of all steps so far
 
  protected:

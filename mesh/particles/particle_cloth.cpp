@@ -164,6 +164,8 @@ void ParticleCloth::add(ClothForce kind, const Places& x, ForceSum& into) const 
       return add_pressing(x, into);
     case ClothForce::friction:
       return add_friction(x, into);
+    case ClothForce::drag:  // of velocities, not of places: it has no energy
+      return;
     case ClothForce::weight:
       return add_gravity(x, into);
   }
@@ -201,7 +203,36 @@ void ParticleCloth::find_planes() {
   }
 }
 
+bool ParticleCloth::has(ClothForce kind) const {
+  switch (kind) {
+    case ClothForce::stretch:
+    case ClothForce::shear:
+      return true;
+    case ClothForce::bending:
+      return bending_.nonZeros() > 0;
+    case ClothForce::band:
+      return !sheet_.bands.empty();
+    case ClothForce::pressing:
+      return sheet_.body.has_value();
+    case ClothForce::friction:
+      return sheet_.body && sheet_.body->friction > 0.0;
+    case ClothForce::drag:
+      return sheet_.drag > 0.0;
+    case ClothForce::weight:
+      return sheet_.gravity != 0.0;
+  }
+  return false;
+}
+
+std::vector<ClothForce> ParticleCloth::kinds() const {
+  std::vector<ClothForce> list;
+  for (std::size_t n = 0; n < texts_of(ClothForce{}).size(); ++n)
+    if (const auto kind = static_cast<ClothForce>(n); has(kind)) list.push_back(kind);
+  return list;
+}
+
 Places ParticleCloth::forces(ClothForce kind) const {
+  if (kind == ClothForce::drag) return drag_forces();
   ForceSum sum(places().size());
   add(kind, places(), sum);
   for (Vector3d& gradient : sum.gradient) gradient = -gradient;

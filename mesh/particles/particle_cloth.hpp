@@ -1,5 +1,5 @@
-// Sewn cloth as particles at the vertices of its triangles: it falls, hangs, bends, and lies on a body. Like a sheet of
-// particles it has no lateral contraction, and shows how cloth falls, not pressures.
+// Sewn cloth as particles at the vertices of its triangles: it falls, hangs, bends, and lies on a body. It has
+// no lateral contraction, and shows how cloth falls, not pressures.
 #pragma once
 
 #include <optional>
@@ -32,9 +32,10 @@ struct BodyContact {
   double stiffness = 0.0, reach = 0.0, friction = 0.0;
 };
 
-enum class ClothForce { stretch, shear, bending, band, pressing, friction, weight };
+/// [Thesis] table 4.3 shows spring (`stretch`), trellis (`shear`), bend and twist (`bending`), and repulse (`pressing`).
+enum class ClothForce { stretch, shear, bending, band, pressing, friction, drag, weight };
 constexpr auto texts_of(ClothForce) {
-  return std::array{"stretch", "shear", "bending", "band", "pressing", "friction", "weight"};
+  return std::array{"stretch", "shear", "bending", "band", "pressing", "friction", "drag", "weight"};
 }
 
 struct ClothSheet {
@@ -42,7 +43,7 @@ struct ClothSheet {
   std::vector<FlatTriangle> triangles;
   std::vector<int> triangle_laws;  ///< index into `laws`; empty: all of the first
   std::vector<ElasticLine> bands;
-  double drag = 0.0;         ///< N s/m3: force per area against the velocity
+  double drag = 0.0;         ///< N s/m3: force per flat area against the velocity; 0: no air at all
   double gravity = 9.80665;  ///< m/s2, along -z
   std::optional<BodyContact> body;
 };
@@ -55,6 +56,8 @@ class ParticleCloth : public ImplicitParticles {
   ParticleCloth(ClothSheet sheet, Places places, std::vector<HeldComponents> held,
                 MinimumSearch search = {.tolerance = 1e-4, .iterations = 6, .take_what_there_is = true});
 
+  /// Kinds of force that the sheet has, in their order; of the others it has none anywhere at any time.
+  std::vector<ClothForce> kinds() const;
   /// N, of one kind on every particle.
   Places forces(ClothForce kind) const;
   double area(int particle) const { return area_[particle]; }  ///< m2, flat
@@ -79,6 +82,7 @@ class ParticleCloth : public ImplicitParticles {
   };
   void add_laws(const Places& x, ForceSum& into) const override;
   void arrive() override;
+  bool has(ClothForce kind) const;
   void add(ClothForce kind, const Places& x, ForceSum& into) const;
   void add_strained(bool stretch, bool shear, const Places& x, ForceSum& into) const;
   void add_bending(const Places& x, ForceSum& into) const;

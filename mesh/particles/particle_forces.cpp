@@ -55,14 +55,4 @@ void ForceSum::add_shear(Weights warp, Weights weft, const Places& x, double sti
   }
 }
 
-void ForceSum::add_difference(Weights weights, const Places& x, double stiffness) {
-  const Vector3d sum = weighted_sum(weights, x);
-  energy += 0.5 * stiffness * sum.squaredNorm();
-  for (const Weight& one : weights) {
-    gradient[one.particle] += stiffness * one.weight * sum;
-    for (const Weight& other : weights)
-      if (second) add_block(one.particle, other.particle, stiffness * one.weight * other.weight * Matrix3d::Identity());
-  }
-}
-
 }  // namespace snug::mesh

@@ -53,8 +53,6 @@ struct ForceSum {
   /// stiffness (N m) phi^2/2 with sin phi the product of the unit directions of two sums over the same particles. The
   /// second derivatives are those of Gauss and Newton.
   void add_shear(Weights warp, Weights weft, const Places& x, double stiffness);
-  /// stiffness (N/m) |sum w x|^2/2.
-  void add_difference(Weights weights, const Places& x, double stiffness);
 };
 
 }  // namespace snug::mesh

@@ -32,13 +32,14 @@ const char* meaning(ClothForce kind) {
     case ClothForce::band: return "force of bands on a particle over its flat area";
     case ClothForce::pressing: return "force of the skin on a particle over its flat area, off the skin: an estimate, no pressure";
     case ClothForce::friction: return "friction of the skin on a particle over its flat area: an estimate, no traction";
+    case ClothForce::drag: return "force of the air against the velocity of a particle over its flat area";
     case ClothForce::weight: return "weight of a particle over its flat area";
   }
   return "";
 }
 
 void add_forces(const ParticleScene& scene, const mesh::GarmentMesh& garment, postproc::Fields& fields) {
-  for (const ClothForce kind : {ClothForce::stretch, ClothForce::shear, ClothForce::bending, ClothForce::band, ClothForce::pressing, ClothForce::friction, ClothForce::weight}) {
+  for (const ClothForce kind : scene.cloth->kinds()) {
     mesh::Places forces = scene.cloth->forces(kind);
     for (std::size_t n = 0; n < forces.size(); ++n) forces[n] /= scene.cloth->area(static_cast<int>(n));
     postproc::NamedField named{std::string(mesh::texts_of(kind)[static_cast<int>(kind)]) + "_force", "N/m2", meaning(kind), postproc::Place::node,

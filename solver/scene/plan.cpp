@@ -175,6 +175,7 @@ void list_falling_garment(const Model& model, const Meshes& meshes, Plan& plan) 
   if (!mesh.fit.placing.empty()) plan.parts_in.push_back(fmt::format("{}: placed {}", name, mesh.fit.placing));
   plan.parts_in.push_back("bending: " + of_each(garment, bending_text));
   plan.parts_in.push_back("weight: " + of_each(garment, weight_text));
+  plan.parts_in.push_back(fmt::format("air: {:g} N s/m3 against the velocity while it falls", air_drag));
   list_bands(garment.spec, mesh, plan);
   const ContactModel* contact = model.contact_of(0);
   plan.parts_in.push_back(fmt::format("contact: the skin repels particles nearer than {:g} mm", 1e3 * skin_reach));

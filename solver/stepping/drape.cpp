@@ -47,7 +47,7 @@ class Drape {
       const auto at = std::lower_bound(way_.begin(), way_.end(), wanted) - way_.begin();
       postproc::RunResult shot;
       shot.body = body_result(meshes_.body, false);
-      then.cloth->move_to(shapes_[at]);
+      then.cloth->move_to(shapes_[at].places, shapes_[at].velocities);
       fill_particle_result(then, model_, meshes_, shot);
       kept.keep(static_cast<double>(n) / kept.steps, shot);
     }
@@ -55,9 +55,14 @@ class Drape {
 
   void fill() { fill_particle_result(scene_, model_, meshes_, result_); }
   int iterations() const { return scene_.cloth->iterations(); }
-  void remember() { remembers_ = true, shapes_.push_back(scene_.cloth->places()), way_.push_back(0.0); }
+  void remember() { remembers_ = true, shapes_.push_back(shape()), way_.push_back(0.0); }
 
  private:
+  struct Shape {
+    mesh::Places places, velocities;  // m, m/s
+  };
+  Shape shape() const { return {scene_.cloth->places(), scene_.cloth->velocities()}; }
+
   /// m: mean height of the particles; vertical extent of the garment.
   std::pair<double, double> height_and_extent() const {
     double sum = 0.0, low = std::numeric_limits<double>::max(), high = -low;
@@ -82,7 +87,7 @@ class Drape {
     }
     residual_ = unbalanced / scene_.weight;
     kinetic_ = scene_.cloth->kinetic_energy() / (scene_.weight * edge_);
-    if (remembers_) shapes_.push_back(scene_.cloth->places()), way_.push_back(way_.back() + moved);
+    if (remembers_) shapes_.push_back(shape()), way_.push_back(way_.back() + moved);
     postproc::Iteration row{.increment = result_.increments, .load = time_, .iteration = iterations, .residual = residual_, .complementarity = 0.0,
                             .step = 1.0, .contact_nodes = touching, .changed = 0};
     row.energy = scene_.cloth->potential_energy() + scene_.cloth->kinetic_energy();
@@ -121,8 +126,8 @@ class Drape {
   double edge_, first_height_ = 0.0, length_ = 0.0;  // m
   double time_ = 0.0, residual_ = 0.0, kinetic_ = 0.0;
   bool remembers_ = false;
-  std::vector<mesh::Places> shapes_;  // of every step, where they are wanted
-  std::vector<double> way_;           // m, that a particle has gone in the mean
+  std::vector<Shape> shapes_;  // of every step, where they are wanted
+  std::vector<double> way_;    // m, that a particle has gone in the mean
 };
 
 /// A garment that is tight sinks into the skin that bears it: particles are for cloth that hangs.

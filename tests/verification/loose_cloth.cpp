@@ -106,6 +106,7 @@ TEST(LooseCloth, LooseAllOverItHangsFromItsHeldEdgeAndTouchesNothing) {
 }
 
 // Tier particle: the same sleeves as particles. Loose all over it comes to rest, touches nothing, and its held edge bears its weight.
+// Its fields are of the forces that it has: of the air, not of a band.
 TEST(LooseCloth, AsParticlesALooseSleeveHangsFromItsHeldEdge) {
   Hanging scene;
   scene.rest_radius = 0.060, scene.tier = input::Tier::particle;
@@ -116,6 +117,8 @@ TEST(LooseCloth, AsParticlesALooseSleeveHangsFromItsHeldEdge) {
   EXPECT_EQ(hung.result.balance.contact_force, 0.0);
   EXPECT_NEAR(hem_radius(hung), scene.rest_radius, 0.01 * scene.rest_radius);
   EXPECT_FALSE(hung.result.body.fields.has(postproc::field::contact_pressure));  // it claims none
+  EXPECT_NE(hung.result.garment.fields.find("drag_force"), nullptr);
+  EXPECT_EQ(hung.result.garment.fields.find("band_force"), nullptr);
 }
 
 // What nothing holds falls off, and is no answer; what has not come to rest in the steps given is none either.

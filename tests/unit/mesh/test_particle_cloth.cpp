@@ -8,15 +8,27 @@
 #include <cmath>
 #include <random>
 
-#include "tests/unit/mesh/tensile_curves.hpp"
-
 namespace snug::mesh {
 
 namespace {
 
-using tests::linear, tests::exponential, tests::most_tension, tests::most_strain, tests::curvature;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+
+TensileCurve linear(double stiffness) {
+  return [=](double stretch) {
+    return Tensile{0.5 * stiffness * (stretch - 1.0) * (stretch - 1.0), stiffness * (stretch - 1.0), stiffness};
+  };
+}
+
+/// T = Tm (exp(a e / em) - 1) / (exp(a) - 1), the kind of curve that a tensile test of KES has.
+constexpr double most_tension = 490.0, most_strain = 0.3, curvature = 3.0;
+TensileCurve exponential() {
+  return [](double stretch) {
+    const double rate = curvature / most_strain, factor = most_tension / std::expm1(curvature), strain = stretch - 1.0;
+    return Tensile{factor * (std::expm1(rate * strain) / rate - strain), factor * std::expm1(rate * strain), factor * rate * std::exp(rate * strain)};
+  };
+}
 
 ClothLaws cloth_laws() {
   return {.warp = linear(500.0), .weft = linear(350.0), .shear = 30.0, .bending_warp = 1e-4, .bending_weft = 5e-5, .density = 0.2};
@@ -63,6 +75,16 @@ Vector3d sum(const Places& forces) {
   return total;
 }
 
+/// Random ones, normally distributed about 0.
+Places directions(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0.0, 1.0);
+  Places all(count);
+  for (Vector3d& one : all)
+    for (double& component : one) component = normal(random);
+  return all;
+}
+
 /// Long steps until hardly anything is out of balance.
 void settle(ParticleCloth& cloth, int steps = 120) {
   double dt = 0.002;
@@ -81,19 +103,15 @@ TEST(ParticleCloth, ForcesAreTheSlopeOfTheEnergy) {
   Rectangle patch(4, 3, 0.08, 0.07, cloth_laws());
   patch.sheet.bands = {{0, 1, 0.015, 40.0}, {1, 2, 0.015, 40.0}};
   patch.sheet.body = BodyContact{[](const Vector3d& p) { return Nearness{p.z() + 0.05, Vector3d::UnitZ()}; }, 2e4, 0.06, 0.4};
-  Places places = patch.level(), direction, aside;
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal(0.0, 1.0);
-  for (Vector3d& p : places) {
-    aside.push_back(p);
-    p += 0.002 * Vector3d(normal(random), normal(random), normal(random));
-    direction.emplace_back(normal(random), normal(random), normal(random));
-  }
+  Places places = patch.level();
+  const Places off = directions(places.size(), 7), direction = directions(places.size(), 8);
   // Friction is anchored where a particle first touched; its bound and the planes are those of the last arrival.
-  ParticleCloth cloth(patch.sheet, aside, patch.free());
+  ParticleCloth cloth(patch.sheet, places, patch.free());
+  for (std::size_t n = 0; n < places.size(); ++n) places[n] += 0.002 * off[n];
   cloth.move_to(places);
+  EXPECT_EQ(cloth.kinds().size(), texts_of(ClothForce{}).size() - 1);  // all but air, which has no energy
   double force = 0.0;
-  for (const ClothForce kind : {ClothForce::stretch, ClothForce::shear, ClothForce::bending, ClothForce::band, ClothForce::pressing, ClothForce::friction, ClothForce::weight}) {
+  for (const ClothForce kind : cloth.kinds()) {
     const Places forces = cloth.forces(kind);
     double largest = 0.0;
     for (std::size_t n = 0; n < places.size(); ++n) force += forces[n].dot(direction[n]), largest = std::max(largest, forces[n].norm());
@@ -130,6 +148,124 @@ TEST(ParticleCloth, APulledStripLiesOnItsTensileCurve) {
       EXPECT_NEAR(cloth.strained(5).tension[along_warp ? 0 : 1], tension, 1e-4 * tension);
     }
   }
+}
+
+TEST(ParticleCloth, AirResistsByADragTimesTheVelocityAndIsNotThereUnlessGiven) {
+  // The derivative of its force by the velocities is -c A of a particle's own and nothing of others', at any places; and a
+  // step answers to it: m (v - v0)/dt is the sum of all other forces and the drag that it ends with.
+  Rectangle patch(4, 3, 0.08, 0.07, cloth_laws());
+  const std::size_t count = patch.flat.size();
+  Places places = patch.level();
+  const Places off = directions(count, 3), velocities = directions(count, 4), direction = directions(count, 5);
+  for (std::size_t n = 0; n < count; ++n) places[n] += 0.002 * off[n];
+  ParticleCloth still(patch.sheet, places, patch.free());
+  still.step(0.01);
+  EXPECT_THAT(still.kinds(), testing::Not(testing::Contains(ClothForce::drag)));
+  for (const Vector3d& force : still.forces(ClothForce::drag)) EXPECT_EQ(force.norm(), 0.0);
+
+  patch.sheet.drag = 0.6;
+  ParticleCloth cloth(patch.sheet, places, patch.free(), MinimumSearch{});
+  EXPECT_THAT(cloth.kinds(), testing::Contains(ClothForce::drag));
+  EXPECT_EQ(sum(cloth.forces(ClothForce::drag)).norm(), 0.0);  // at rest
+  const auto forces_at = [&](double step) {
+    Places moved = velocities;
+    for (std::size_t n = 0; n < count; ++n) moved[n] += step * direction[n];
+    cloth.move_to(places, moved);
+    return cloth.forces(ClothForce::drag);
+  };
+  constexpr double step = 1e-3;
+  const Places after = forces_at(step), before = forces_at(-step);
+  for (int n = 0; n < static_cast<int>(count); ++n) {
+    const Vector3d slope = (after[n] - before[n]) / (2.0 * step), expected = -0.6 * cloth.area(n) * direction[n];
+    EXPECT_LT((slope - expected).norm(), 1e-10 * expected.norm()) << n;
+  }
+
+  forces_at(0.0);
+  constexpr double dt = 0.001;
+  cloth.step(dt);
+  const Places total = cloth.total_forces(), drag = cloth.forces(ClothForce::drag);
+  for (int n = 0; n < static_cast<int>(count); ++n) {
+    const Vector3d inertia = cloth.mass(n) / dt * (cloth.velocities()[n] - velocities[n]);
+    EXPECT_LT((inertia - total[n] - drag[n]).norm(), 1e-6 * drag[n].norm()) << n;
+  }
+}
+
+TEST(ParticleCloth, FallingClothComesToItsTerminalVelocity) {
+  // m a + c v = m g from rest: v = m g/c (1 - exp(-c t/m)), every particle alike. Implicit Euler is of first order.
+  Rectangle sheet(3, 2, 0.06, 0.04, cloth_laws());
+  sheet.sheet.drag = 0.6;
+  const double density = cloth_laws().density, terminal = density * sheet.sheet.gravity / 0.6, time = 0.4;
+  const auto error_at = [&](double dt) {
+    ParticleCloth cloth(sheet.sheet, sheet.level(), sheet.free(), MinimumSearch{});
+    for (int n = 0; n < std::lround(time / dt); ++n) cloth.step(dt);
+    return std::abs(-cloth.velocities()[5].z() - terminal * (1.0 - std::exp(-0.6 * time / density)));
+  };
+  EXPECT_NEAR(error_at(0.02) / error_at(0.01), 2.0, 0.1);
+  EXPECT_LT(error_at(0.001), 2e-3);
+  ParticleCloth cloth(sheet.sheet, sheet.level(), sheet.free(), MinimumSearch{});
+  for (int n = 0; n < 200; ++n) cloth.step(0.1);
+  for (const Vector3d& v : cloth.velocities()) EXPECT_LT((v + terminal * Vector3d::UnitZ()).norm(), 1e-9);
+  EXPECT_LT((sum(cloth.forces(ClothForce::drag)) + sum(cloth.forces(ClothForce::weight))).norm(), 1e-9);
+}
+
+TEST(ParticleCloth, AHangingChainIsACatenary) {
+  // Ends as high as each other and `apart`, length L: 2 a sinh(apart/(2 a)) = L, sag a (cosh(apart/(2 a)) - 1).
+  constexpr double length = 1.0, apart = 0.7;
+  ClothLaws laws = cloth_laws();
+  laws.warp = laws.weft = linear(2e4);
+  laws.bending_warp = laws.bending_weft = 0.0;
+  Rectangle chain(80, 1, length, 0.01, laws);
+  chain.sheet.drag = 2.0;
+  const double deep = std::sqrt(0.25 * length * length - 0.25 * apart * apart);  // let go from a V of its own length
+  const Places places = chain.laid([&](const Vector2d& x) {
+    const double t = 2.0 * x.x() / length - 1.0;
+    return Vector3d(0.5 * apart * t, x.y(), -deep * (1.0 - std::abs(t)));
+  });
+  std::vector<HeldComponents> held = chain.free();
+  for (const int end : {0, chain.nx})
+    for (int j = 0; j <= 1; ++j) held[chain.node(end, j)] = held_all;
+  ParticleCloth cloth(chain.sheet, places, held, MinimumSearch{});
+  for (const double dt : {0.01, 0.02, 0.05, 0.1, 0.5, 1.0, 10.0, 100.0, 1000.0, 1e4})
+    for (int n = 0; n < 4; ++n) cloth.step(dt);
+  double low = 0.1, high = 10.0;
+  for (int n = 0; n < 100; ++n) {
+    const double a = 0.5 * (low + high);
+    (2.0 * a * std::sinh(apart / (2.0 * a)) > length ? low : high) = a;
+  }
+  const double sag = low * (std::cosh(apart / (2.0 * low)) - 1.0);
+  double lowest = 0.0;
+  for (const Vector3d& p : cloth.places()) {
+    lowest = std::min(lowest, p.z());
+    EXPECT_NEAR(p.z(), low * (std::cosh(p.x() / low) - 1.0) - sag, 1e-3 * sag) << p.x();
+  }
+  EXPECT_NEAR(-lowest, sag, 1e-3 * sag);
+}
+
+TEST(ParticleCloth, EnergyNeverGrows) {
+  // Potential and kinetic energy together, of a cloth that falls from level, held at two corners, without air.
+  Rectangle sheet(8, 6, 0.16, 0.12, cloth_laws());
+  std::vector<HeldComponents> held = sheet.free();
+  held[sheet.node(0, 0)] = held[sheet.node(8, 0)] = held_all;
+  ParticleCloth cloth(sheet.sheet, sheet.level(), held);
+  double before = cloth.potential_energy() + cloth.kinetic_energy();
+  const double first = before;
+  for (int n = 0; n < 40; ++n) {
+    cloth.step(0.01);
+    const double now = cloth.potential_energy() + cloth.kinetic_energy();
+    EXPECT_LE(now, before + 1e-9 * std::abs(first - now) + 1e-12) << n;
+    before = now;
+  }
+  EXPECT_LT(before, first - 1e-3);
+}
+
+TEST(ParticleCloth, OnAFloorItSinksByItsWeight) {
+  // By its weight per area over the stiffness of the floor, below where that begins to press.
+  Rectangle sheet(4, 4, 0.08, 0.08, cloth_laws());
+  sheet.sheet.drag = 5.0;
+  sheet.sheet.body = BodyContact{[](const Vector3d& p) { return Nearness{p.z(), Vector3d::UnitZ()}; }, 1e3, 0.005};
+  ParticleCloth cloth(sheet.sheet, sheet.level(0.01), sheet.free(), MinimumSearch{});
+  for (const double dt : {0.01, 0.02, 0.1, 1.0, 10.0, 1e3, 1e5}) cloth.step(dt);
+  for (const Vector3d& p : cloth.places()) EXPECT_NEAR(p.z(), 0.005 - cloth_laws().density * sheet.sheet.gravity / 1e3, 1e-8);
 }
 
 TEST(ParticleCloth, BentToACylinderItHasTheEnergyOfAPlateAcrossASeamToo) {
