@@ -91,6 +91,13 @@ struct ModelPressure {
   bool operator==(const ModelPressure&) const = default;
 };
 
+/// An acceleration that acts on the density of an element's material.
+struct ModelWeight {
+  int element = 0;
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  bool operator==(const ModelWeight&) const = default;
+};
+
 struct Model {
   std::vector<ModelNode> nodes;        ///< by ascending number
   std::vector<ModelElement> elements;  ///< by ascending number
@@ -101,6 +108,7 @@ struct Model {
   std::vector<ModelObliqueSupport> oblique_supports;
   std::vector<ModelForce> forces;
   std::vector<ModelPressure> pressures;
+  std::vector<ModelWeight> weights;  ///< of solids; several of one element add up
   std::map<int, int> element_line;  ///< where an element stands in its file, for messages
   std::vector<input::Diagnostic> remarks;  ///< what the file asks for and is done otherwise here
 
