@@ -1,6 +1,8 @@
 // Files of Abaqus and CalculiX as these and their users write them, and forces on faces of linear and quadratic cells.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -178,6 +180,20 @@ TEST(Calculix, PolynomialsOfTheInvariantsAreTheLawsThatTheyAre) {
   EXPECT_EQ(law("*HYPERELASTIC, REDUCED POLYNOMIAL, N=2\n0.02,0.003,0.1,0\n").constants, (std::vector<double>{0.02, 0.003, 0.0, 20.0}));
   EXPECT_EQ(law("*HYPERELASTIC, YEOH\n0.02,0.003,0.001,0.1\n").constants, (std::vector<double>{0.02, 0.003, 0.001, 20.0}));
   EXPECT_NE(fault(inp, tetrahedron + std::string("*HYPERELASTIC, POLYNOMIAL, N=2\n1,1,1,1,1,1,1\n")).find("part.inp:10:1"), std::string::npos);
+}
+
+TEST(Calculix, ArrudaBoyceIsTakenOverWithItsMuAndItsVolumeEnergy) {
+  // mu, lambda_m, D: mu is no shear modulus, D is 2/kappa of kappa/4 (J^2 - 1 - 2 ln J). In N and cm 0.02 N/cm2 are 200 Pa.
+  const Model model = inp(tetrahedron + std::string("*HYPERELASTIC, ARRUDA-BOYCE\n0.02, 2.5, 0.1\n*BOUNDARY\n1,1,3\n"));
+  EXPECT_EQ(model.materials.at(0).law, ModelLaw::arruda_boyce);
+  EXPECT_EQ(model.materials.at(0).constants, (std::vector<double>{0.02, 2.5, 20.0}));
+  EXPECT_EQ(model.materials.at(0).volume, ModelVolume::barrier);
+  const input::BodySpec spec = in_centimetres();
+  const input::Table& law = body_of(model, spec).layers.at(0).material.table;
+  EXPECT_EQ(*law.find("law")->text(), "Arruda-Boyce");
+  EXPECT_EQ(*law.find("mu")->text(), fmt::format("{:.17g} Pa", 0.02 * (spec.force_unit / (spec.unit * spec.unit))));
+  EXPECT_EQ(*law.find("volumetric")->text(), "barrier");
+  EXPECT_NE(fault(inp, tetrahedron + std::string("*HYPERELASTIC, ARRUDA-BOYCE\n0.02, 2.5\n")).find("incompressible"), std::string::npos);
 }
 
 TEST(Calculix, APressureWithoutAFaceIsOneOfShells) {
