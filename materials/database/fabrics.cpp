@@ -93,10 +93,6 @@ Fabric with_name(Fabric fabric, const Entry& entry) {
 }  // namespace
 
 Fabric find_fabric(const input::MaterialEntry& asked, input::FabricBranch branch) {
-  if (const std::string ending = std::filesystem::path(asked.name).extension().string(); ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".xlsx")
-    throw input::InputError(asked.where, "\"" + asked.name + "\" is a file, and no fabric is called so",
-                            "write the curves of a strip test as fabric = { law = \"curve\", warp = \"" + asked.name +
-                                "\", weft = \"...\", width = \"50 mm\", shear = \"...\" }");
   const Entry entry = find_entry(asked, shipped(), "fabric");
   const auto fabric = located(asked.where, [&] {
     return with_form(entry.table, [&](const auto& form) -> std::optional<Fabric> { return branch == input::FabricBranch::loading ? form.fabric() : unloading_of(form); });

@@ -1,6 +1,7 @@
 #include "materials/database/named.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "cases/input/key_list.hpp"
 #include "cases/input/suggestion.hpp"
@@ -109,6 +110,23 @@ void keep_one_of_force_and_elongation(input::Table& tension) {
   if (tension.find("Fm") && tension.find("EMT")) tension.remove("EMT");
 }
 
+/// Names of tables, which programs of testing machines write.
+bool is_table_file(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return contains({".csv", ".txt", ".tsv", ".xlsx"}, ending);
+}
+
+/// Whoever names the file of a strip test where a fabric is named wants its curves.
+[[noreturn]] void refuse_name(const input::MaterialEntry& asked, Kind kind, const std::vector<std::string>& known) {
+  if (kind == Kind::fabric && is_table_file(asked.name))
+    throw input::InputError(asked.where, "\"" + asked.name + "\" is a file, and no fabric is called so",
+                            "write the curves of a strip test as fabric = { law = \"curve\", warp = \"" + asked.name +
+                                "\", weft = \"...\", width = \"50 mm\", shear = \"...\" }");
+  throw input::InputError(asked.where, "no " + input::text_of(kind) + " is called \"" + asked.name + "\"",
+                          input::did_you_mean(asked.name, known));
+}
+
 input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, const std::filesystem::path& file,
                                   std::vector<std::string> known) {
   std::error_code ignored;
@@ -124,8 +142,7 @@ input::MaterialEntry from_library(const input::MaterialEntry& asked, Kind kind, 
     for (const std::string& id : library.ids(kind))
       if (!contains(known, id)) known.push_back(id);
   }
-  throw input::InputError(asked.where, "no " + input::text_of(kind) + " is called \"" + asked.name + "\"",
-                          input::did_you_mean(asked.name, known));
+  refuse_name(asked, kind, known);
 }
 
 }  // namespace

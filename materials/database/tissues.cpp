@@ -58,7 +58,7 @@ Tissue find_membrane_tissue(const input::MaterialEntry& asked) {
     throw input::InputError(
         asked.where,
         "a layer with thickness is a membrane, and the law of " + tissue.name + " is no incompressible one",
-        "use neo-Hooke, Mooney-Rivlin, Ogden, Yeoh or Fung, or make it a layer of cells");
+        "use neo-Hooke, Mooney-Rivlin, Ogden, Yeoh, Arruda-Boyce or Fung, or make it a layer of cells");
   return tissue;
 }
 

@@ -13,7 +13,7 @@ namespace {
 // Beyond this Poisson ratio an element whose only unknowns are displacements locks.
 constexpr double largest_unsplit_poisson_ratio = 0.495;
 constexpr const char* split_remedy =
-    "use a law with split (neo-Hooke, Mooney-Rivlin, Ogden, Yeoh, Fung), whose mixed element does not lock";
+    "use a law with split (neo-Hooke, Mooney-Rivlin, Ogden, Yeoh, Arruda-Boyce, Fung), whose mixed element does not lock";
 
 double poisson_ratio(double mu, double kappa) { return (3.0 * kappa - 2.0 * mu) / (2.0 * (3.0 * kappa + mu)); }
 
@@ -45,6 +45,9 @@ void check(const YeohInput& form, const input::Table& table, input::Diagnostics&
     diagnostics.error(table.where_is("C20"), fmt::format("with C20 = {} Pa the solid loses its stiffness at a finite stretch", form.C20),
                       fmt::format("a negative C20 must be smaller than sqrt(3 C10 C30) = {:.6g} Pa", std::sqrt(3.0 * form.C10 * form.C30)));
   check(form.volume.compressibility, 2.0 * form.C10, table, diagnostics);
+}
+void check(const ArrudaBoyceInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
+  check(form.volume.compressibility, ArrudaBoyce{form.mu, form.locking_stretch, {}}.initial_shear_modulus(), table, diagnostics);
 }
 void check(const FungInput& form, const input::Table& table, input::Diagnostics& diagnostics) {
   check(form.volume.compressibility, form.shear_modulus, table, diagnostics);
@@ -102,6 +105,12 @@ Volumetric VolumeInput::part(double shear_modulus) const {
 Ogden OgdenInput::law() const {
   Ogden law;
   law.terms.assign(terms.begin(), terms.end());
+  law.volume = volume.part(law.initial_shear_modulus());
+  return law;
+}
+
+ArrudaBoyce ArrudaBoyceInput::law() const {
+  ArrudaBoyce law{mu, locking_stretch, {}};
   law.volume = volume.part(law.initial_shear_modulus());
   return law;
 }

@@ -146,6 +146,27 @@ struct YeohInput {
   Yeoh law() const { return {C10, C20, C30, volume.part(2.0 * C10)}; }
 };
 
+struct ArrudaBoyceInput {
+  double mu = 0.0;  ///< Pa
+  double locking_stretch = 0.0;
+  VolumeInput volume;
+
+  template <class Self, class Visitor>
+  static void describe(Self& self, Visitor&& field) {
+    using namespace input;
+    field(Field{.key = "mu", .unit = "Pa", .meaning = "coefficient of the series; less than the initial shear modulus", .required = true, .bound = positive()},
+          self.mu);
+    field(Field{.key = "locking_stretch",
+                .meaning = "lambda_m, stretch at which the chains are straight",
+                .required = true,
+                .bound = {.low = 1.0, .low_open = true}},
+          self.locking_stretch);
+    VolumeInput::describe(self.volume, field);
+  }
+  static LawPage page();
+  ArrudaBoyce law() const;
+};
+
 struct FungInput {
   double shear_modulus = 0.0;  ///< Pa
   double stiffening = 0.0;
@@ -209,6 +230,7 @@ void for_each_law_input(Visitor&& visit) {
   visit.template operator()<MooneyRivlinInput>();
   visit.template operator()<OgdenInput>();
   visit.template operator()<YeohInput>();
+  visit.template operator()<ArrudaBoyceInput>();
   visit.template operator()<FungInput>();
   visit.template operator()<CompressibleNeoHookeInput>();
   visit.template operator()<LinearElasticInput>();

@@ -40,6 +40,14 @@ LawPage YeohInput::page() {
           .source = "Yeoh, Rubber Chem. Technol. 66 (1993) 754-771"};
 }
 
+LawPage ArrudaBoyceInput::page() {
+  return {.name = "Arruda-Boyce",
+          .formula = "W = mu sum_i C_i/m^(2i-2) (I^i - 3^i) + U(J), I = J^(-2/3) I1, m = locking_stretch, C = 1/2, 1/20, 11/1050, 19/7000, 519/673750; shear modulus "
+                     "mu (1 + 3/(5 m^2) + 99/(175 m^4) + 513/(875 m^6) + 42039/(67375 m^8))",
+          .use = "elastomers up to where their chains are straight, from sets published in this form; blind to what the second invariant tells",
+          .source = "Arruda & Boyce, J. Mech. Phys. Solids 41 (1993) 389-412"};
+}
+
 LawPage FungInput::page() {
   return {.name = "Fung",
           .formula = "W = mu/(2 b) (exp(b (J^(-2/3) I1 - 3)) - 1) + U(J), b = stiffening",

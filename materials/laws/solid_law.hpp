@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cases/input/material_entry.hpp"
+#include "materials/laws/arruda_boyce.hpp"
 #include "materials/laws/compressible_neo_hooke.hpp"
 #include "materials/laws/fung.hpp"
 #include "materials/laws/linear_elastic.hpp"
@@ -23,7 +24,7 @@ namespace snug::materials {
 
 /// Every law of a solid, visibly. Adding one is a file, this line, its input (laws/inputs.hpp) and the line in the
 /// typed test list.
-using SolidLaw = std::variant<NeoHooke, MooneyRivlin, Ogden, Yeoh, Fung, CompressibleNeoHooke, LinearElastic>;
+using SolidLaw = std::variant<NeoHooke, MooneyRivlin, Ogden, Yeoh, ArrudaBoyce, Fung, CompressibleNeoHooke, LinearElastic>;
 
 /// A law made of an isochoric and a volumetric part.
 template <class Law>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -85,6 +86,7 @@ class Conversion {
     nodes_.add_supports();
     nodes_.add_forces();
     spread_forces(model_, nodes_, mesh_);
+    add_weights();
     add_pressures();
     mesh_.mean_skin_cell = mean_edge(mesh_, mesh_.skin_facets);
     mesh_.node_location.assign(mesh_.nodes.size(), -1);
@@ -256,6 +258,24 @@ class Conversion {
       mesh_.surfaces.push_back(std::move(skin));
     }
     mesh_.skin_facets = mesh_.surface("skin")->facets;
+  }
+
+  /// Consistent nodal forces  int N_a rho g dV  of the elements on which an acceleration acts.
+  void add_weights() {
+    std::map<int, Eigen::Vector3d> acceleration, forces;
+    for (const ModelWeight& weight : model_.weights) acceleration.try_emplace(weight.element, Eigen::Vector3d::Zero()).first->second += weight.acceleration;
+    const double to_si = spec_.force_unit / std::pow(spec_.unit, 3);  // of a force per volume
+    for (std::size_t e = 0; e < model_.elements.size(); ++e)
+      if (const auto at = acceleration.find(model_.elements[e].number); at != acceleration.end())
+        for (std::size_t c = first_cell_[e]; c < first_cell_[e + 1]; ++c) add_weight(mesh_.cells[c], to_si * model_.materials[model_.elements[e].material].density * at->second, forces);
+    for (const auto& [node, force] : forces) mesh_.forces.push_back({node, force});
+  }
+  void add_weight(const CellNodes& cell, const Eigen::Vector3d& per_volume, std::map<int, Eigen::Vector3d>& forces) const {
+    const CellPositions x = cell_positions(mesh_.kind, cell, mesh_.nodes);
+    for (const SamplePoint& point : gauss_points(mesh_.kind)) {
+      const double volume = point.weight * jacobian(x, point).determinant();
+      for (int a = 0; a < node_count(mesh_.kind); ++a) forces.try_emplace(cell[a], Eigen::Vector3d::Zero()).first->second += point.values[a] * volume * per_volume;
+    }
   }
 
   void add_pressures() {

@@ -14,11 +14,20 @@ namespace {
 
 using input::InputError;
 
+const char* volume_name(ModelVolume volume) {
+  switch (volume) {
+    case ModelVolume::quadratic: return "quadratic";
+    case ModelVolume::logarithmic: return "logarithmic";
+    case ModelVolume::barrier: break;
+  }
+  return "barrier";
+}
+
 /// The inline table that describes the law; `stress` and `density` are the units of the file in SI.
 std::string law_table(const ModelMaterial& material, double stress, double density) {
   const std::vector<double>& c = material.constants;
   const auto pascal = [&](double value) { return fmt::format("\"{:.17g} Pa\"", stress * value); };
-  const std::string volume = c.empty() ? "" : fmt::format("bulk_modulus = {}, volumetric = \"{}\"", pascal(c.back()), material.volume == ModelVolume::quadratic ? "quadratic" : "logarithmic");
+  const std::string volume = c.empty() ? "" : fmt::format("bulk_modulus = {}, volumetric = \"{}\"", pascal(c.back()), volume_name(material.volume));
   std::string law;
   switch (material.law) {
     case ModelLaw::none: break;
@@ -36,6 +45,9 @@ std::string law_table(const ModelMaterial& material, double stress, double densi
       break;
     case ModelLaw::yeoh:
       law = fmt::format("law = \"Yeoh\", C10 = {}, C20 = {}, C30 = {}, {}", pascal(c[0]), pascal(c[1]), pascal(c[2]), volume);
+      break;
+    case ModelLaw::arruda_boyce:
+      law = fmt::format("law = \"Arruda-Boyce\", mu = {}, locking_stretch = {:.17g}, {}", pascal(c[0]), c[1], volume);
       break;
     case ModelLaw::ogden: {
       std::vector<std::string> terms;

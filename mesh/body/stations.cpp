@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "cases/input/csv.hpp"
 #include "cases/input/suggestion.hpp"
@@ -129,10 +130,46 @@ double expected_girth(const std::vector<double>& height, const std::vector<doubl
 
 constexpr double odd_jump = 1.8, impossible_jump = 4.0;  // of a girth over what its neighbours let expect
 
+/// How many powers of ten each girth stands over the first one, by the jumps from row to row that no body makes.
+std::vector<int> powers_of_ten(const std::vector<double>& girth) {
+  std::vector<int> powers(girth.size(), 0);
+  for (std::size_t r = 1; r < girth.size(); ++r) {
+    const double over = girth[r] / girth[r - 1];
+    const bool jump = std::max(over, 1.0 / over) > impossible_jump;
+    powers[r] = powers[r - 1] + (jump ? static_cast<int>(std::round(std::log10(over))) : 0);
+  }
+  return powers;
+}
+
+constexpr double least_girth = 0.03, most_girth = 2.5;  // m, of any part of a body
+
+/// The power of ten at which no girth is larger than a body's; of several such that of most rows, and then one at which none is very small (bones may be).
+int right_power(const std::vector<double>& girth, const std::vector<int>& powers) {
+  std::map<int, std::tuple<bool, int, bool>> votes;  // not too large, rows, not too small
+  for (std::size_t r = 0; r < girth.size(); ++r) {
+    auto& [below, rows, above] = votes.try_emplace(powers[r], true, 0, true).first->second;
+    below = below && girth[r] <= most_girth, above = above && girth[r] >= least_girth;
+    ++rows;
+  }
+  return std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+}
+
+/// Several girths with the same slip confirm each other, so that the right rows beside them seem to stand out. True where some were found.
+bool check_slips_of_several(const Csv& csv, const std::vector<double>& girth, const std::string& name, Diagnostics& diagnostics) {
+  const std::vector<int> powers = powers_of_ten(girth);
+  const int right = right_power(girth, powers);
+  if (std::count(powers.begin(), powers.end(), right) + 1 >= static_cast<std::ptrdiff_t>(girth.size())) return false;
+  for (std::size_t r = 0; r < girth.size(); ++r)
+    if (const int off = powers[r] - right; off != 0)
+      diagnostics.error(csv.place(r, csv.find(name)), fmt::format("{} is {:.4g} mm, {:g} times what rows around let expect", name, 1e3 * girth[r], std::pow(10.0, off)),
+                        fmt::format("a decimal point too far {}: {:.6g} mm?", off > 0 ? "right" : "left", 1e3 * girth[r] / std::pow(10.0, off)));
+  return true;
+}
+
 /// One girth that stands out of its row is a slip of the pen: ten times too large, two digits changed.
 void check_girths(const Csv& csv, const Columns& column, const std::string& name, Diagnostics& diagnostics, std::vector<input::Diagnostic>& remarks) {
   const std::vector<double>&height = column.at("height"), &girth = column.at(name);
-  if (girth.size() < 3) return;
+  if (girth.size() < 3 || check_slips_of_several(csv, girth, name, diagnostics)) return;
   std::vector<double> sorted = girth;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
   const auto factor = [](double over) { return std::max(over, 1.0 / over); };
@@ -197,7 +234,7 @@ Limb limb_from_stations(const input::BodySpec& spec) {
     if (bone || column_spec.name != "bone_girth") column[column_spec.name] = read_column(csv, column_spec, diagnostics);
   check_heights(csv, column.at("height"), diagnostics);
   diagnostics.throw_if_any();
-  check_size(csv, column, "girth", 0.03, 2.5, diagnostics, remarks);
+  check_size(csv, column, "girth", least_girth, most_girth, diagnostics, remarks);
   check_size(csv, column, "height", 0.005, 2.5, diagnostics, remarks);
   check_girths(csv, column, "girth", diagnostics, remarks);
   if (bone) check_girths(csv, column, "bone_girth", diagnostics, remarks);

@@ -10,7 +10,7 @@ namespace snug::mesh {
 void InpLoads::step(const FieldLine& card, const InpParameters& parameters) {
   ++steps_;
   if (over()) return;
-  forces_.begin_step(), pressures_.begin_step(), surface_pressures_.begin_step();
+  forces_.begin_step(), pressures_.begin_step(), surface_pressures_.begin_step(), weights_.begin_step();
   if (parameters.contains("PERTURBATION")) card.error(0, "the step is a perturbation of another", "give one static step");
   large_displacements_ = large_displacements_ || (parameters.contains("NLGEOM") && parameters.at("NLGEOM") != "NO");
   step_line_ = card.number;
@@ -62,7 +62,7 @@ InpData InpLoads::forces(const FieldLine& card, const InpParameters& parameters)
   return scaled(card, parameters, [this](const FieldLine& line, double by) { push(line, by); });
 }
 InpData InpLoads::pressures(const FieldLine& card, const InpParameters& parameters) {
-  if (begins_anew(parameters)) pressures_.clear();
+  if (begins_anew(parameters)) pressures_.clear(), weights_.clear();
   return scaled(card, parameters, [this](const FieldLine& line, double by) { press(line, by); });
 }
 InpData InpLoads::surface_pressures(const FieldLine& card, const InpParameters& parameters) {
@@ -97,12 +97,36 @@ void InpLoads::put(Loads<ModelPressure>& pressures, const ModelPressure& pressur
 /// P1 ... P6 of solids, P of shells (along the normal of a shell: CalculiX manual, *DLOAD).
 void InpLoads::press(const FieldLine& line, double by) {
   const std::string label = upper_case(line.text(1));
+  if (label == "GRAV") return weigh(line, by);
   const int face = label.size() == 2 && label[0] == 'P' ? label[1] - '1' : label == "P" ? 0 : -1;
   if (face < 0 || face > 5)
-    return line.error(1, fmt::format("the load {} is not taken over", line.text(1)), "use pressures P1 ... P6, or [load] gravity in case.toml");
+    return line.error(1, fmt::format("the load {} is not taken over", line.text(1)), "use pressures P1 ... P6, or weight: set, GRAV, acceleration, direction");
   for (const int element : sets_.elements_named(line)) {
     if (label == "P") along_normal_.emplace(element, line.at(1));
     put(pressures_, {element, face, by * line.number_at(2)});
+  }
+}
+
+/// Set, GRAV, acceleration, direction of any length (CalculiX manual, *DLOAD).
+void InpLoads::weigh(const FieldLine& line, double by) {
+  const Eigen::Vector3d towards(line.number_at(3), line.number_at(4), line.number_at(5));
+  if (!(towards.norm() > 0.0)) return line.error(3, "the weight has no direction", "write set, GRAV, acceleration, and its direction x, y, z, e.g. 0, 0, -1");
+  const Eigen::Vector3d acceleration = by * line.number_at(2) * towards.normalized();
+  for (const int element : sets_.elements_named(line)) {
+    weighed_.emplace(element, line.at(1));
+    weights_.put({element, acceleration}, [&](const ModelWeight& w) { return w.element == element && w.acceleration.normalized().dot(acceleration.normalized()) > 1.0 - 1e-12; });
+  }
+}
+
+void InpLoads::check_weights(const Model& model) {
+  for (const ModelElement& element : model.elements) {
+    const auto at = weighed_.find(element.number);
+    if (at == weighed_.end() || element.material < 0) continue;
+    if (is_shell(element.kind))
+      return diagnostics_.error(at->second, fmt::format("the weight of element {}, a shell, is not taken over", element.number), "give it as [[load.traction]] in case.toml");
+    if (const ModelMaterial& material = model.materials[element.material]; !(material.density > 0.0))
+      return diagnostics_.error(at->second, fmt::format("the weight of element {} is unknown: its material \"{}\" has no density", element.number, material.name),
+                                "give it with *DENSITY behind *MATERIAL");
   }
 }
 
@@ -163,10 +187,12 @@ NodalFrames InpLoads::frames(const Model& model) {
 
 void InpLoads::give(Model& model) {
   check_faces(model);
+  check_weights(model);
   model.supports = std::move(supports_);
   model.forces = std::move(forces_.all);
   model.pressures = std::move(pressures_.all);
   model.pressures.insert(model.pressures.end(), surface_pressures_.all.begin(), surface_pressures_.all.end());
+  model.weights = std::move(weights_.all);
   turn_into_global(model, frames(model), file_, diagnostics_);
 }
 

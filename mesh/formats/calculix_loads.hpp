@@ -69,9 +69,12 @@ class InpLoads {
   void push(const FieldLine& line, double by);
   void press(const FieldLine& line, double by);
   void press_surface(const FieldLine& line, double by);
+  void weigh(const FieldLine& line, double by);
   static void put(Loads<ModelPressure>& pressures, const ModelPressure& pressure);
   /// A pressure without a face acts on shells alone.
   void check_faces(const Model& model);
+  /// Weight is that of solids whose density is known.
+  void check_weights(const Model& model);
   NodalFrames frames(const Model& model);
 
   const InpSets& sets_;
@@ -80,10 +83,12 @@ class InpLoads {
   std::map<std::string, std::vector<SurfaceFace>> surfaces_;
   std::map<std::string, std::vector<std::pair<double, double>>> amplitudes_;  ///< times and values
   std::map<int, input::Location> along_normal_;  ///< elements with a pressure that names no face, and where
+  std::map<int, input::Location> weighed_;       ///< elements with a weight, and where
   std::vector<std::pair<std::string, FrameByPoints>> transforms_;             ///< of sets of nodes
   std::vector<ModelSupport> supports_;
   Loads<ModelForce> forces_;
   Loads<ModelPressure> pressures_, surface_pressures_;  ///< of *DLOAD and *DSLOAD
+  Loads<ModelWeight> weights_;                          ///< of *DLOAD
   int chosen_, steps_ = 0, step_line_ = 0;
   double period_ = 1.0;  ///< of the step
   bool large_displacements_ = false;

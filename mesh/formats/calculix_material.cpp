@@ -13,13 +13,14 @@ ModelLaw hyperelastic_law(const FieldLine& card, const InpParameters& parameters
   if (parameters.contains("NEOHOOKE")) return ModelLaw::neo_hooke;
   if (parameters.contains("MOONEY-RIVLIN")) return ModelLaw::mooney_rivlin;
   if (parameters.contains("OGDEN")) return ModelLaw::ogden;
+  if (parameters.contains("ARRUDA-BOYCE")) return ModelLaw::arruda_boyce;
   const std::string terms = value_of(parameters, "N");
   if (parameters.contains("YEOH") || (parameters.contains("REDUCEDPOLYNOMIAL") && (terms == "2" || terms == "3"))) return ModelLaw::yeoh;
   if (parameters.contains("REDUCEDPOLYNOMIAL") && (terms.empty() || terms == "1")) return ModelLaw::neo_hooke;
   const bool polynomial = parameters.contains("POLYNOMIAL") || parameters.size() == std::size_t{parameters.contains("N")};  // the form that Abaqus and CalculiX take where none is named
   if (polynomial && (terms.empty() || terms == "1")) return ModelLaw::mooney_rivlin;
   card.error(0, "this hyperelastic law is not taken over",
-             "use NEO HOOKE, MOONEY-RIVLIN, POLYNOMIAL with N=1, REDUCED POLYNOMIAL up to N=3, YEOH or OGDEN");
+             "use NEO HOOKE, MOONEY-RIVLIN, POLYNOMIAL with N=1, REDUCED POLYNOMIAL up to N=3, YEOH, ARRUDA-BOYCE or OGDEN");
   return ModelLaw::none;
 }
 
@@ -35,6 +36,7 @@ InpConstants::InpConstants(const FieldLine& card, const InpParameters& parameter
     case ModelLaw::elastic: shape_ = 2; break;
     case ModelLaw::neo_hooke: shape_ = 1, volume_ = 1; break;
     case ModelLaw::mooney_rivlin: shape_ = 2, volume_ = 1; break;
+    case ModelLaw::arruda_boyce: shape_ = 2, volume_ = 1; break;
     case ModelLaw::yeoh: shape_ = volume_ = parameters.contains("YEOH") ? 3 : n; break;
     case ModelLaw::ogden: shape_ = 2 * n, volume_ = n; break;
     case ModelLaw::none: break;
@@ -54,6 +56,7 @@ void InpConstants::take(const FieldLine& line, ModelMaterial& material) {
 void InpConstants::set_law(const FieldLine& line, ModelMaterial& material) const {
   std::vector<double>& c = material.constants;
   material.law = law_;
+  if (law_ == ModelLaw::arruda_boyce) material.volume = ModelVolume::barrier;  // U = (J^2 - 1 - 2 ln J)/(2 D) in both programs
   c.assign(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(shape_));
   if (law_ == ModelLaw::neo_hooke) c[0] *= 2.0;
   if (law_ == ModelLaw::ogden)

@@ -44,10 +44,10 @@ struct ModelElement {
   bool operator==(const ModelElement&) const = default;
 };
 
-/// Constants: elastic E, nu; compressible neo-Hooke E, nu (W = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2); neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Yeoh C10, C20, C30, kappa; Ogden mu_1, alpha_1, ..., kappa in the
-/// convention W = sum mu_p/alpha_p (...). Those with kappa have the volumetric energy kappa/2 (J - 1)^2, or kappa/2 (ln J)^2.
-enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden, yeoh, compressible_neo_hooke };
-enum class ModelVolume { quadratic, logarithmic };
+/// Constants: elastic E, nu; compressible neo-Hooke E, nu (W = mu/2 (I1 - 3) - mu ln J + lambda/2 (ln J)^2); neo-Hooke mu, kappa; Mooney-Rivlin C10, C01, kappa; Yeoh C10, C20, C30, kappa; Arruda-Boyce mu, lambda_m, kappa; Ogden mu_1, alpha_1, ..., kappa in the
+/// convention W = sum mu_p/alpha_p (...). Those with kappa have the volumetric energy kappa/2 (J - 1)^2, kappa/2 (ln J)^2 or kappa/4 (J^2 - 1 - 2 ln J).
+enum class ModelLaw { none, elastic, neo_hooke, mooney_rivlin, ogden, yeoh, arruda_boyce, compressible_neo_hooke };
+enum class ModelVolume { quadratic, logarithmic, barrier };
 
 struct ModelMaterial {
   std::string name;
@@ -91,6 +91,13 @@ struct ModelPressure {
   bool operator==(const ModelPressure&) const = default;
 };
 
+/// An acceleration that acts on the density of an element's material.
+struct ModelWeight {
+  int element = 0;
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  bool operator==(const ModelWeight&) const = default;
+};
+
 struct Model {
   std::vector<ModelNode> nodes;        ///< by ascending number
   std::vector<ModelElement> elements;  ///< by ascending number
@@ -101,6 +108,7 @@ struct Model {
   std::vector<ModelObliqueSupport> oblique_supports;
   std::vector<ModelForce> forces;
   std::vector<ModelPressure> pressures;
+  std::vector<ModelWeight> weights;  ///< of solids; several of one element add up
   std::map<int, int> element_line;  ///< where an element stands in its file, for messages
   std::vector<input::Diagnostic> remarks;  ///< what the file asks for and is done otherwise here
 

@@ -63,6 +63,7 @@ std::string calculix_law(const ModelMaterial& material) {
   const double D1 = 2.0 / c.back();
   switch (material.law) {
     case ModelLaw::compressible_neo_hooke:  // no body is written with it
+    case ModelLaw::arruda_boyce:
     case ModelLaw::none: break;
     case ModelLaw::elastic: return fmt::format("*ELASTIC\n{}, {}\n", digits(c[0]), digits(c[1]));
     case ModelLaw::neo_hooke: return fmt::format("*HYPERELASTIC, NEO HOOKE\n{}, {}\n", digits(0.5 * c[0]), digits(D1));

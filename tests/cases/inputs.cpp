@@ -1,7 +1,9 @@
 // Inputs as users bring them: what is likely a slip is said, what cannot be is refused, what a file asks for and is done otherwise is told.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include "tests/cases/program.hpp"
@@ -42,6 +44,44 @@ TEST_F(Program, WhatIsSaidBeforeAnErrorIsOftenItsCause) {
   const Outcome share = snug("run other --tier L0 --no-report --set 'garment.fabric=" + sheet + "'");
   EXPECT_TRUE(has(share, "warning: the curve of the fabric ends at an elongation of 0.35 %") && has(share, "write \"35 %\"")) << share.text;
   EXPECT_TRUE(has(share, "beyond the 0.35 % up to which there are data")) << share.text;
+}
+
+/// A closed tube of 63 mm radius and 260 mm length along y as OBJ, in mm.
+std::string scanned_tube_along_y() {
+  constexpr int around = 48, along = 27;
+  std::string text;
+  for (int j = 0; j < along; ++j)
+    for (int i = 0; i < around; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / around;
+      text += "v " + std::to_string(63.0 * std::cos(turn)) + " " + std::to_string(10.0 * j - 130.0) + " " + std::to_string(-63.0 * std::sin(turn)) + "\n";
+    }
+  text += "v 0 -130 0\nv 0 130 0\n";
+  const auto node = [&](int i, int j) { return std::to_string(1 + j * around + i % around); };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 0; j + 1 < along; ++j) text += "f " + node(i, j) + " " + node(i + 1, j) + " " + node(i + 1, j + 1) + " " + node(i, j + 1) + "\n";
+    text += "f " + node(i + 1, 0) + " " + node(i, 0) + " " + std::to_string(around * along + 1) + "\n";
+    text += "f " + node(i, along - 1) + " " + node(i + 1, along - 1) + " " + std::to_string(around * along + 2) + "\n";
+  }
+  return text;
+}
+
+TEST_F(Program, AScanWithYUpThatIsCutAlongIsWarnedAbout) {
+  // Sections at heights along z are strips of a tube that lies along y; with up = "y" they are circles, and nothing is said.
+  std::filesystem::create_directories(folder_ / "limb");
+  write("limb/tube.obj", scanned_tube_along_y());
+  const auto limb = [](const std::string& axes, const std::string& lower, const std::string& upper) {
+    return "title = \"limb\"\n[body]\nkind = \"scan\"\ncells_around = 16\ncells_along = 4\nlayers = [{ name = \"bone\", material = \"rigid\" },\n"
+           "{ name = \"tissue\", material = \"relaxed thigh\", cells = 2 }]\n[body.scan]\nsurface = \"tube.obj\"\nunit = \"1 mm\"\n" + axes +
+           "lower = { point = " + lower + " }\nupper = { point = " + upper + " }\nbone = { girth = \"90 mm\" }\n[load]\nskin_pressure = \"1 kPa\"\n";
+  };
+  write("limb/case.toml", limb("up = \"z\"\nfront = \"y\"\n", "[\"0 mm\", \"0 mm\", \"-30 mm\"], normal = [0, 0, -1]", "[\"0 mm\", \"0 mm\", \"30 mm\"], normal = [0, 0, 1]"));
+  const Outcome along = snug("check limb");
+  EXPECT_TRUE(has(along, "warning: the sections of the scan are ")) << along.text;
+  EXPECT_TRUE(has(along, "cut along instead of across? programs of clothes and animation write files with up = \"y\"")) << along.text;
+  write("limb/case.toml", limb("up = \"y\"\nfront = \"-z\"\n", "[\"0 mm\", \"-60 mm\", \"0 mm\"], normal = [0, -1, 0]", "[\"0 mm\", \"60 mm\", \"0 mm\"], normal = [0, 1, 0]"));
+  const Outcome across = snug("check limb");
+  EXPECT_EQ(across.status, 0) << across.text;
+  EXPECT_FALSE(has(across, "cut along")) << across.text;
 }
 
 TEST_F(Program, AFileThatIsNotThereIsNotSaidToBeOutside) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "cases/input/echo.hpp"
 #include "materials/fabric/fabric.hpp"
 #include "materials/laws/solid_law.hpp"
 
@@ -187,6 +189,23 @@ TEST(Data, InlineFabrics) {
   EXPECT_NEAR(kes.warp.at(0).stiffness, 2379.713952, 1e-6);
   EXPECT_NEAR(kes.weft.at(0).stiffness, 16071.336829, 1e-6);
   EXPECT_NEAR(kes.shear, 44.950372, 1e-6);
+}
+
+TEST(Data, TheEchoOfACaseHasTheShearStiffnessOfAKesTestInSi) {
+  // G = 0.6 gf/cm.deg as KES prints it: 0.6 * 9.80665e-3 N / 0.01 m / (pi/180 rad) = 33.7128 N/m per rad; a factor of 57.3 less without the degree.
+  const double per_radian = 0.6 * 0.980665 * 180.0 / std::numbers::pi;
+  input::Case asked;
+  asked.garments.emplace_back().fabric = inline_entry(
+      R"toml({ law = "kes", LT = 0.9, WT = "8.2 gf.cm/cm^2", EMT = 40, G = "0.6 gf/cm.deg" })toml");
+  const std::string echo = input::echo_text(asked, [](const input::Field& field, const MaterialEntry& entry) {
+    return field.key == "fabric" ? std::optional(materials::written_out_fabric(entry)) : std::nullopt;
+  });
+  const std::size_t at = echo.find("G = \"");
+  ASSERT_NE(at, std::string::npos) << echo;
+  const std::string written = echo.substr(at + 5, echo.find('"', at + 5) - at - 5);
+  EXPECT_TRUE(written.ends_with(" N/(m rad)")) << written;
+  EXPECT_NEAR(std::stod(written), per_radian, 1e-12);
+  EXPECT_NEAR(find_fabric(asked.garments[0].fabric).shear, per_radian, 1e-12);
 }
 
 TEST(Data, WrongInlineTablesSayWhatToWrite) {

@@ -33,6 +33,10 @@ inline materials::Yeoh example() {
   return {.C10 = 5e3, .C20 = -0.8e3, .C30 = 0.3e3, .volume = example_volume};
 }
 template <>
+inline materials::ArrudaBoyce example() {
+  return {.mu = 8e3, .locking_stretch = 1.6, .volume = example_volume};
+}
+template <>
 inline materials::Fung example() {
   return {.shear_modulus = 10e3, .stiffening = 0.7, .volume = example_volume};
 }
@@ -45,8 +49,8 @@ inline materials::LinearElastic example() {
   return {.youngs_modulus = 29.8e3, .poisson_ratio = 0.49};
 }
 
-using SplitLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Yeoh, materials::Fung>;
-using AllLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Yeoh, materials::Fung,
+using SplitLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Yeoh, materials::ArrudaBoyce, materials::Fung>;
+using AllLaws = ::testing::Types<materials::NeoHooke, materials::MooneyRivlin, materials::Ogden, materials::Yeoh, materials::ArrudaBoyce, materials::Fung,
                                  materials::CompressibleNeoHooke, materials::LinearElastic>;
 
 /// General F of the reference book 1.1.

@@ -93,7 +93,6 @@ TEST(MeasuredFabric, AStripTestIsReadFromATableOfTheCase) {
   EXPECT_NE(fault([&] { find_fabric(inline_table(R"({ law = "curve", warp = "a.csv", width = "25 mm", gauge_length = "80 mm", shear = "40 N/m" })", folder)); }).find("the curve of the weft is missing"),
             std::string::npos);
   fs::remove_all(folder);
-  EXPECT_NE(fault([] { find_fabric({.name = "strip test.csv", .table = {}, .where = {"case.toml", 3, 1}}); }).find("is a file, and no fabric"), std::string::npos);
 }
 
 TEST(MeasuredFabric, AFastSheetIsAFabric) {

@@ -169,6 +169,21 @@ TEST_F(ShippedLibrary, NumbersThatDoNotGoTogetherAreDoubted) {
               ElementsAre("LT = 1.3 is outside its range, 0.8 to 1.2"));
 }
 
+TEST_F(ShippedLibrary, AStripTestsFileIsNoNameOfAFabricAndTheRemedyIsItsCurve) {
+  // What the program looks names up with used to list all fabrics, of which none is meant. Other names, also with a dot, are still compared with those known.
+  const auto resolve = [&](const std::string& name, Kind kind) {
+    return error_of([&] { materials::resolved({.name = name, .table = {}, .where = {"case.toml", 18, 10}}, kind, file_); });
+  };
+  for (const char* name : {"wale.csv", "tests/Wale 1.CSV", "course.xlsx"}) {
+    const std::string said = resolve(name, Kind::fabric);
+    EXPECT_THAT(said, HasSubstr("case.toml:18:10: error: \"" + std::string(name) + "\" is a file, and no fabric is called so"));
+    EXPECT_THAT(said, HasSubstr("fabric = { law = \"curve\", warp = \"" + std::string(name) + "\""));
+  }
+  EXPECT_THAT(resolve("N85L16", Kind::fabric), HasSubstr("no fabric is called \"N85L16\""));
+  EXPECT_THAT(resolve("N85.L15", Kind::fabric), HasSubstr("did you mean N85L15"));
+  EXPECT_THAT(resolve("fat.csv", Kind::tissue), HasSubstr("no tissue is called"));
+}
+
 TEST_F(ShippedLibrary, StiffnessOfTheDenimsIsModulusTimesThickness) {
   // 001-01: 431.5, 414.2, 113.7 N/m; 009-01: 254.2, 635.5, 121.1 N/m (B11).
   const materials::Fabric first = materials::find_fabric(materials::resolved({.name = "001-01"}, Kind::fabric, {}));

@@ -52,6 +52,14 @@ Second energy(const materials::Yeoh& law, const Tensor& F) {
   const Second x = pow(J, -2.0 / 3.0) * I1 - 3.0;
   return law.C10 * x + law.C20 * x * x + law.C30 * x * x * x + barrier(law.volume, J);
 }
+Second energy(const materials::ArrudaBoyce& law, const Tensor& F) {
+  const auto [I1, I2, J] = invariants(F);
+  const Second I = pow(J, -2.0 / 3.0) * I1;
+  const double y = 1.0 / (law.locking_stretch * law.locking_stretch);
+  return law.mu * ((I - 3.0) / 2.0 + y / 20.0 * (I * I - 9.0) + y * y * 11.0 / 1050.0 * (I * I * I - 27.0) + y * y * y * 19.0 / 7000.0 * (I * I * I * I - 81.0) +
+                   y * y * y * y * 519.0 / 673750.0 * (I * I * I * I * I - 243.0)) +
+         barrier(law.volume, J);
+}
 Second energy(const materials::Fung& law, const Tensor& F) {
   const auto [I1, I2, J] = invariants(F);
   const Second Q = law.stiffening * (pow(J, -2.0 / 3.0) * I1 - 3.0);

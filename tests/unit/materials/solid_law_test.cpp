@@ -172,6 +172,27 @@ TEST(Yeoh, IsNeoHookeWithItsFirstConstantAlone) {
   EXPECT_NEAR(cauchy(0, 0) - cauchy(1, 1), 2.0 * (stretch * stretch - 1.0 / stretch) * (yeoh.C10 + 2.0 * yeoh.C20 * x + 3.0 * yeoh.C30 * x * x), 1e-9);
 }
 
+TEST(ArrudaBoyce, IsNeoHookeWithLongChainsAndStiffensTowardsTheirLength) {
+  // lambda_m -> infinity leaves neo-Hooke with mu; at rest mu is not the shear modulus, mu (1 + 3/(5 m^2) + ...) is (Abaqus, Theory Guide 4.6.1). In simple tension
+  // the stress of chains follows the inverse Langevin function up to what the series of five terms leaves out: L^-1(z) by Newton's method, sigma1 - sigma2 =
+  // mu m/3 L^-1(l_c/m)/l_c (l^2 - 1/l), l_c = sqrt(I1/3) the stretch of the chains, 0.41 of m here.
+  const materials::ArrudaBoyce loose{.mu = 10e3, .locking_stretch = 1e7, .volume = example_volume};
+  const auto a = coupled(SolidLaw(loose), large_gradient()), b = coupled(SolidLaw(example<materials::NeoHooke>()), large_gradient());
+  EXPECT_LT(largest(a.tangent - b.tangent), 1e-12 * largest(b.tangent));
+  const double m2 = 1.6 * 1.6;
+  EXPECT_NEAR(example<materials::ArrudaBoyce>().initial_shear_modulus(),
+              8e3 * (1 + 3 / (5 * m2) + 99 / (175 * m2 * m2) + 513 / (875 * m2 * m2 * m2) + 42039 / (67375 * m2 * m2 * m2 * m2)), 1e-9);
+  const materials::ArrudaBoyce chains{.mu = 8e3, .locking_stretch = 3.0, .volume = example_volume};
+  const double stretch = 1.9, chain = std::sqrt((stretch * stretch + 2.0 / stretch) / 3.0), z = chain / 3.0;
+  double beta = 3.0 * z;
+  for (int n = 0; n < 30; ++n) beta -= (1.0 / std::tanh(beta) - 1.0 / beta - z) / (1.0 / (beta * beta) - 1.0 / (std::sinh(beta) * std::sinh(beta)));
+  const Matrix3d F = Eigen::Vector3d(stretch, 1.0 / std::sqrt(stretch), 1.0 / std::sqrt(stretch)).asDiagonal();
+  const Matrix3d cauchy = chains.isochoric(F).stress * F.transpose();
+  const double exact = 8e3 * 3.0 / 3.0 * beta / chain * (stretch * stretch - 1.0 / stretch);
+  EXPECT_NEAR(cauchy(0, 0) - cauchy(1, 1), exact, 1e-3 * exact);
+  EXPECT_GT(exact, 1.1 * 8e3 * (stretch * stretch - 1.0 / stretch));
+}
+
 TEST(Ogden, OneTermOfTwoIsNeoHooke) {
   // alpha = 2, mu_1 = mu is neo-Hooke; alpha = 2 and -2 with 2 C10 and -2 C01 is Mooney-Rivlin: stress and tangent.
   for (const Matrix3d& F : gradients()) {

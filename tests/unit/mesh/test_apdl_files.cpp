@@ -98,7 +98,20 @@ TEST(Apdl, WhatCdwriteWritesRoundTheModelIsPassedOver) {
   ASSERT_EQ(read.elements.size(), 1u);
   EXPECT_EQ(read.elements[0].number, 3);
   EXPECT_NE(fault(apdl, head + model + "ACEL,0,0,9810\n").find("an acceleration acts"), std::string::npos);
+  EXPECT_NE(fault(apdl, head + model + "IRLF,1\n").find("its inertia balances the loads"), std::string::npos);
   EXPECT_NE(fault(apdl, head + model + "mp,alpx,1,1e-5\ntunif,40\n").find("expands"), std::string::npos);
+}
+
+TEST(Apdl, ControlsOfOtherAnalysesAndOfTheSolverSayNothingAboutTheModel) {
+  // CDWRITE writes those of modes, harmonics, buckling and steps with the model; what adds stiffness or load to it, or takes elements away, is still refused.
+  const std::string model = "ET,1,185\n" + elastic + box_nodes + "E,1,2,3,4,5,6,7,8\n";
+  const std::string controls = "MODOPT,LANB,10,0.0,0.0,0,OFF\nMODCONTROL,ON\nMXPAND,10,0,0,NO\nHROPT,AUTO\nHARFRQ,0.0,50.0\nBUCOPT,LANB,1\nMDAMP,1,0.02\nDMPSTR,0.01\nARCLEN,OFF\n"
+                               "ARCTRM,OFF\nCUTCONTROL,PLSLIMIT,0.15\nMSAVE,OFF\nDDOPTION,AUTO\nMIDTOL,OFF\nTRNOPT,FULL\nEQSLV,SPARSE\nLUMPM,0\nPSTRES,0\nRESCONTROL,DEFINE,NONE\n"
+                               "AUTOTS,ON\nNCNV,1\nOUTRES,ALL,ALL\nOUTPR,NSOL,LAST\nKBC,0\nDELTIM,0.1\nTIME,1.0\nNROPT,FULL\nCNVTOL,F,1\nNEQIT,25\nIRLF,0\n";
+  EXPECT_EQ(fault(apdl, model + controls), "");
+  EXPECT_EQ(apdl(model + controls).elements.size(), 1u);
+  for (const char* line : {"EKILL,1\n", "CE,1,0,1,UX,1,2,UX,-1\n", "CP,1,UX,1,2\n", "CEINTF,0.25\n", "INISTATE,DEFINE,1,,,,100\n", "LVSCALE,2.0\n"})
+    EXPECT_NE(fault(apdl, model + line), "") << line;
 }
 
 TEST(Apdl, WedgesPyramidsAndTetrahedraOfCollapsedHexahedraAreTaken) {

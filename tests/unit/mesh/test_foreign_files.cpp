@@ -1,6 +1,8 @@
 // Files of Abaqus and CalculiX as these and their users write them, and forces on faces of linear and quadratic cells.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -141,6 +143,32 @@ TEST(Calculix, OfSeveralStepsTheEndOfTheLastIsTaken) {
 
 const char* const tetrahedron = "*NODE\n1,0,0,0\n2,4,0,0\n3,0,4,0\n4,0,0,4\n*ELEMENT, TYPE=C3D4, ELSET=E\n7, 1,2,3,4\n*SOLID SECTION, ELSET=E, MATERIAL=M\n*MATERIAL, NAME=M\n";
 
+TEST(Calculix, WeightActsOnTheDensityOfItsSet) {
+  // GRAV with a direction of any length, half of it by its amplitude: 0.002 * 6 * 980/2 in the file's units downwards, through the middle of the box, of which a
+  // Q2 cell takes 8/27 at its centre. The acceleration set again in a later step counts; without a density, without a direction and on shells it is refused.
+  const std::string body = inp_nodes + "*ELEMENT, TYPE=C3D8, ELSET=E\n1, 1,2,3,4,5,6,7,8\n" + inp_rest;
+  const std::string dense = body + "*AMPLITUDE, NAME=half\n0., 0., 2., 1.\n*MATERIAL, NAME=D\n*ELASTIC\n4.5, 0.2\n*DENSITY\n0.002\n*SOLID SECTION, ELSET=E, MATERIAL=D\n*BOUNDARY\n1,1,3\n2,2,3\n4,3,3\n";
+  const std::string step = "*STEP, NLGEOM\n*STATIC\n*DLOAD, AMPLITUDE=half\nE, GRAV, 980., 0., 0., -2.\n*END STEP\n";
+  const Model model = inp(dense + step);
+  EXPECT_EQ(model.weights, (std::vector<ModelWeight>{{1, {0.0, 0.0, -490.0}}}));
+  const input::BodySpec spec = in_centimetres();
+  const BodyMesh made = body_of(model, spec);
+  const double weight = 0.002 * 6 * 490 * spec.force_unit;
+  EXPECT_NEAR((resultant(made) - Eigen::Vector3d(0, 0, -weight)).norm(), 0.0, 1e-12 * weight);
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  double largest_share = 0.0;
+  for (const NodalForce& force : made.forces) moment += made.nodes[force.node].cross(force.force), largest_share = std::max(largest_share, -force.force.z() / weight);
+  EXPECT_NEAR((moment - Eigen::Vector3d(0.01, 0.005, 0.015).cross(Eigen::Vector3d(0, 0, -weight))).norm(), 0.0, 1e-14 * weight);
+  EXPECT_NEAR(largest_share, 8.0 / 27.0, 1e-12);
+  EXPECT_EQ(inp(dense + step + "*STEP\n*STATIC\n*DLOAD\n1, GRAV, 100., 0., 0., -1.\n1, GRAV, 7., 1., 0., 0.\n*END STEP\n").weights,
+            (std::vector<ModelWeight>{{1, {0.0, 0.0, -100.0}}, {1, {7.0, 0.0, 0.0}}}));
+  EXPECT_TRUE(inp(dense + step + "*STEP\n*STATIC\n*DLOAD, OP=NEW\n1, P2, 1.\n*END STEP\n").weights.empty());
+  EXPECT_NE(fault(inp, body + "*STEP, NLGEOM\n*STATIC\n*DLOAD\nE, GRAV, 980., 0., 0., -1.\n*END STEP\n").find("its material \"M\" has no density"), std::string::npos);
+  EXPECT_NE(fault(inp, dense + "*STEP, NLGEOM\n*STATIC\n*DLOAD\nE, GRAV, 980.\n*END STEP\n").find("the weight has no direction"), std::string::npos);
+  const std::string shell = inp_nodes + "*ELEMENT, TYPE=S4, ELSET=E\n1, 1,2,3,4\n*MATERIAL, NAME=M\n*ELASTIC\n4.5, 0.2\n*DENSITY\n0.002\n*SHELL SECTION, ELSET=E, MATERIAL=M\n0.1\n";
+  EXPECT_NE(fault(inp, shell + "*STEP, NLGEOM\n*STATIC\n*DLOAD\nE, GRAV, 980., 0., 0., -1.\n*END STEP\n").find("a shell, is not taken over"), std::string::npos);
+}
+
 TEST(Calculix, PolynomialsOfTheInvariantsAreTheLawsThatTheyAre) {
   // POLYNOMIAL of one term is Mooney-Rivlin's, and so is a law without a name; REDUCED POLYNOMIAL of one to three terms neo-Hooke's and Yeoh's.
   const auto law = [](const std::string& card) { return inp(tetrahedron + card + "*BOUNDARY\n1,1,3\n").materials.at(0); };
@@ -152,6 +180,20 @@ TEST(Calculix, PolynomialsOfTheInvariantsAreTheLawsThatTheyAre) {
   EXPECT_EQ(law("*HYPERELASTIC, REDUCED POLYNOMIAL, N=2\n0.02,0.003,0.1,0\n").constants, (std::vector<double>{0.02, 0.003, 0.0, 20.0}));
   EXPECT_EQ(law("*HYPERELASTIC, YEOH\n0.02,0.003,0.001,0.1\n").constants, (std::vector<double>{0.02, 0.003, 0.001, 20.0}));
   EXPECT_NE(fault(inp, tetrahedron + std::string("*HYPERELASTIC, POLYNOMIAL, N=2\n1,1,1,1,1,1,1\n")).find("part.inp:10:1"), std::string::npos);
+}
+
+TEST(Calculix, ArrudaBoyceIsTakenOverWithItsMuAndItsVolumeEnergy) {
+  // mu, lambda_m, D: mu is no shear modulus, D is 2/kappa of kappa/4 (J^2 - 1 - 2 ln J). In N and cm 0.02 N/cm2 are 200 Pa.
+  const Model model = inp(tetrahedron + std::string("*HYPERELASTIC, ARRUDA-BOYCE\n0.02, 2.5, 0.1\n*BOUNDARY\n1,1,3\n"));
+  EXPECT_EQ(model.materials.at(0).law, ModelLaw::arruda_boyce);
+  EXPECT_EQ(model.materials.at(0).constants, (std::vector<double>{0.02, 2.5, 20.0}));
+  EXPECT_EQ(model.materials.at(0).volume, ModelVolume::barrier);
+  const input::BodySpec spec = in_centimetres();
+  const input::Table& law = body_of(model, spec).layers.at(0).material.table;
+  EXPECT_EQ(*law.find("law")->text(), "Arruda-Boyce");
+  EXPECT_EQ(*law.find("mu")->text(), fmt::format("{:.17g} Pa", 0.02 * (spec.force_unit / (spec.unit * spec.unit))));
+  EXPECT_EQ(*law.find("volumetric")->text(), "barrier");
+  EXPECT_NE(fault(inp, tetrahedron + std::string("*HYPERELASTIC, ARRUDA-BOYCE\n0.02, 2.5\n")).find("incompressible"), std::string::npos);
 }
 
 TEST(Calculix, APressureWithoutAFaceIsOneOfShells) {

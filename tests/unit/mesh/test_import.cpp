@@ -18,8 +18,10 @@ struct File {
   ~File() { std::filesystem::remove(path); }
 };
 
+enum class GmshNames { given, numbers, none };  ///< of the volumes
+
 /// A box of 2 x 1 x 1 mm in two volumes, "soft" (x < 1) and "hard", meshed by gmsh; `finish` changes the mesh.
-File two_boxes(bool hexahedra, int order, const std::function<void()>& finish = [] {}) {
+File two_boxes(bool hexahedra, int order, const std::function<void()>& finish = [] {}, GmshNames names = GmshNames::given) {
   const GmshSession session;
   namespace occ = gmsh::model::occ;
   occ::addBox(0, 0, 0, 1, 1, 1, 1), occ::addBox(1, 0, 0, 1, 1, 1, 2);
@@ -37,10 +39,11 @@ File two_boxes(bool hexahedra, int order, const std::function<void()>& finish = 
     gmsh::model::getEntitiesInBoundingBox(x0 - 1e-6, -1e-6, -1e-6, x1 + 1e-6, 1 + 1e-6, 1 + 1e-6, found, dimension);
     return std::vector<int>{found.at(0).second};
   };
-  name(3, {1}, "soft"), name(3, {2}, "hard");
-  name(2, in_box(0, 0, 2), "left"), name(2, in_box(2, 2, 2), "skin");
+  if (names == GmshNames::given) name(3, {1}, "soft"), name(3, {2}, "hard");
+  if (names == GmshNames::numbers) gmsh::model::addPhysicalGroup(3, {1}, 17), gmsh::model::addPhysicalGroup(3, {2}, 4);
+  if (names != GmshNames::none) name(2, in_box(0, 0, 2), "left"), name(2, in_box(2, 2, 2), "skin");
   gmsh::model::mesh::generate(3);
-  if (order == 2) gmsh::model::mesh::setOrder(2);
+  if (order > 1) gmsh::model::mesh::setOrder(order);
   finish();
   File file{std::filesystem::temp_directory_path() / ("snug-import-" + std::to_string(::getpid()) + ".msh")};
   gmsh::write(file.path.string());
@@ -88,21 +91,45 @@ TEST(Import, ARigidVolumeIsLeftOutAndHeldWhereItTouches) {
   for (const int node : mesh.bone_nodes) EXPECT_NEAR(mesh.nodes[node].x(), 1e-3, 1e-15);
 }
 
+void expect_import_refused(const File& file, const std::function<void(input::BodySpec&)>& change, const std::vector<std::string>& parts) {
+  auto spec = spec_of(file);
+  change(spec);
+  try {
+    import_body_mesh(spec);
+    ADD_FAILURE() << "not refused: " << parts[0];
+  } catch (const input::InputError& error) {
+    for (const auto& part : parts) EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
 TEST(Import, WhatDoesNotFitIsRefusedWithARemedy) {
-  const auto refused = [](const File& file, auto change, const std::vector<std::string>& parts) {
-    auto spec = spec_of(file);
-    change(spec);
-    try {
-      import_body_mesh(spec);
-      ADD_FAILURE() << "not refused: " << parts[0];
-    } catch (const input::InputError& error) {
-      for (const auto& part : parts) EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-    }
-  };
   const File file = two_boxes(false, 1);
-  refused(file, [](auto& s) { s.layers[0].name = "softt"; }, {"no physical volume \"softt\"", "soft, hard"});
-  refused(file, [](auto& s) { s.layers.pop_back(); }, {"\"hard\"", "is no layer of the case"});
-  refused(file, [](auto& s) { s.elements = input::Elements::Q1P0; }, {"tetrahedra", "cannot be Q1/P0"});
+  expect_import_refused(file, [](auto& s) { s.layers[0].name = "softt"; }, {"no physical volume \"softt\"", "soft, hard"});
+  expect_import_refused(file, [](auto& s) { s.layers.pop_back(); }, {"\"hard\"", "is no layer of the case"});
+  expect_import_refused(file, [](auto& s) { s.elements = input::Elements::Q1P0; }, {"tetrahedra", "cannot be Q1/P0"});
+}
+
+TEST(Import, CellsOfThirdOrderAreRefusedByTheirNameWithTheOrderToSave) {
+  for (const bool hexahedra : {false, true})
+    expect_import_refused(two_boxes(hexahedra, 3), [](auto&) {}, {"third order or higher", hexahedra ? "(Hexahedron 64)" : "(Tetrahedron 20)", "Mesh.ElementOrder = 2, or gmsh -order 2"});
+}
+
+TEST(Import, AFileWithoutPhysicalVolumesSaysHowToNameThem) {
+  const File file = two_boxes(false, 1, [] {}, GmshNames::none);
+  expect_import_refused(file, [](auto&) {}, {"no physical volume \"soft\"", "it has no physical volumes", "Physical Volume(\"soft\") = {1};", "Physical Surface(\"skin\")"});
+}
+
+TEST(Import, VolumesWithoutANameGoByTheirNumber) {
+  // 17 is the left box and 4 the right one: the surface at x = 0 belongs to cells of the first layer, that at 2 mm to those of the second.
+  const File file = two_boxes(false, 1, [] {}, GmshNames::numbers);
+  expect_import_refused(file, [](auto&) {}, {"no physical volume \"soft\"", "4, 17", "groups without a name go by their number"});
+  auto spec = spec_of(file);
+  spec.layers[0].name = "17", spec.layers[1].name = "4";
+  const BodyMesh mesh = import_body_mesh(spec);
+  ASSERT_EQ(mesh.layers.size(), 2u);
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for (const int node : mesh.cells[c])
+      if (node >= 0) EXPECT_TRUE(mesh.layers[mesh.cell_layer[c]].name == "17" ? mesh.nodes[node].x() < 1e-3 + 1e-12 : mesh.nodes[node].x() > 1e-3 - 1e-12);
 }
 
 TEST(Import, AnInvertedCellIsNamedWithNumberLayerAndPlace) {
