@@ -60,7 +60,7 @@ Json map_view(const ShownRun& run, const PressureScale& scale, double width) {
     patches.push_back({{"name", patch.name},
                        {"path", patch.path},
                        {"x", pixels(patch.x)},
-                       {"y", pixels(patch.y)},
+                       {"y", pixels(patch.label_y)},
                        {"mean", mean_of(run, patch.name, scale)}});
   const double top = largest(*run.skin);
   return {{"width", pixels(map.width)},

@@ -208,6 +208,18 @@ std::vector<MapPatch> patches(const Skin& skin, const Drawing& drawing, const Dr
 
 }  // namespace
 
+void set_labels_apart(std::vector<MapPatch>& patches) {
+  constexpr double letter = 7.6, tall = 34.0;  // px: width of a letter of the names; height of name and pressure
+  const auto touch = [](const MapPatch& a, const MapPatch& b) {
+    return std::abs(a.label_y - b.label_y) < tall && std::abs(a.x - b.x) < 0.5 * letter * static_cast<double>(a.name.size() + b.name.size());
+  };
+  for (auto patch = patches.begin(); patch != patches.end(); ++patch)
+    for (const double rows : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+      patch->label_y = patch->y + rows * tall;
+      if (std::none_of(patches.begin(), patch, [&](const MapPatch& other) { return touch(*patch, other); })) break;
+    }
+}
+
 UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
   const SkinChart chart = skin_chart(skin);
   const Drawer drawer(skin, chart, width);
@@ -228,6 +240,7 @@ UnrolledMap unroll(const Skin& skin, const PressureScale& scale, double width) {
     if (!path.empty()) map.bands.emplace_back(scale.band_colour(band), std::move(path));
   }
   map.patches = patches(skin, drawing, drawer);
+  set_labels_apart(map.patches);
   const std::vector<double>& beside = pressure_beside(skin);
   const auto peak = std::max_element(beside.begin(), beside.end()) - beside.begin();
   const Vector2d at = chart.at[peak];

@@ -19,7 +19,11 @@ struct MapTick {
 struct MapPatch {
   std::string name, path;   ///< path: its outline
   double x = 0.0, y = 0.0;  ///< middle, pixels
+  double label_y = 0.0;     ///< where its name stands, pixels: the middle, or above or below it where another name stands there
 };
+
+/// Gives each name a place of its own, as near to the middle of its location as those before it leave it.
+void set_labels_apart(std::vector<MapPatch>& patches);
 
 /// The map in pixels; y grows downwards. Its scale along the height is that of the mean girth, so that shapes keep
 /// their proportions there.

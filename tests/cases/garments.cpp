@@ -87,6 +87,20 @@ TEST_F(Garments, JeansPressMoreTheStifferTheirDenimAndTheTShirtHangs) {
   EXPECT_LT(summary("shirt").at("balance").at("contact_force_N").get<double>(), 20.0);
 }
 
+TEST_F(Garments, TheVestRanksItsFabricsByTheirStiffnessAtEveryLocation) {
+  // C98L2, N85L15 and P98L2 stretch by 24.6, 43.3 and 56.4 % under the greatest force of the test (table 7.1): the stiffer, the more the one cut presses, on a coarse rigid trunk.
+  const Outcome sweep = snug("run " + shipped("vest") + " --out out --no-report --tier L1 --sweep garment.fabric=C98L2,N85L15,P98L2" + coarse_);
+  ASSERT_EQ(sweep.status, 0) << sweep.text;
+  const auto stiff = summary("out/fabric-C98L2").at("locations"), middle = summary("out/fabric-N85L15").at("locations"), soft = summary("out/fabric-P98L2").at("locations");
+  ASSERT_GE(stiff.size(), 5u);
+  for (std::size_t l = 0; l < stiff.size(); ++l) {
+    if (middle.at(l).at("coverage").get<double>() < 0.5) continue;
+    const double pressure = middle.at(l).at("mean_pressure_Pa");
+    EXPECT_GT(stiff.at(l).at("mean_pressure_Pa").get<double>(), 1.05 * pressure) << middle.at(l).at("location");
+    EXPECT_LT(soft.at(l).at("mean_pressure_Pa").get<double>(), 0.95 * pressure) << middle.at(l).at("location");
+  }
+}
+
 TEST_F(Garments, ThePressureOfALocationHardlyHangsOnTheMesh) {
   // Rows of nodes fall otherwise to the borders of locations and hems on either mesh. Counted by whole nodes the means differ by 4 %.
   const auto worn = [&](const std::string& out, const std::string& cells) {
