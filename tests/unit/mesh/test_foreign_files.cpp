@@ -189,7 +189,8 @@ TEST(Calculix, ArrudaBoyceIsTakenOverWithItsMuAndItsVolumeEnergy) {
   EXPECT_EQ(model.materials.at(0).constants, (std::vector<double>{0.02, 2.5, 20.0}));
   EXPECT_EQ(model.materials.at(0).volume, ModelVolume::barrier);
   const input::BodySpec spec = in_centimetres();
-  const input::Table& law = body_of(model, spec).layers.at(0).material.table;
+  const BodyMesh body = body_of(model, spec);
+  const input::Table& law = body.layers.at(0).material.table;
   EXPECT_EQ(*law.find("law")->text(), "Arruda-Boyce");
   EXPECT_EQ(*law.find("mu")->text(), fmt::format("{:.17g} Pa", 0.02 * (spec.force_unit / (spec.unit * spec.unit))));
   EXPECT_EQ(*law.find("volumetric")->text(), "barrier");

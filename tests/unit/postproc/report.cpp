@@ -158,9 +158,9 @@ TEST(UnrolledMap, LegsLieSideBySideBelowTheTrunkEachOfHalfTheWidth) {
 }
 
 TEST(UnrolledMap, NamesOfNeighboursDoNotCoverOneAnother) {
-  // Three locations of one height 40 px apart have names wider than that: each has rows of its own; one far off stays in its middle.
+  // Three locations of one height 30 px apart have names of twice that: each has rows of its own; one far off stays in its middle.
   std::vector<MapPatch> patches;
-  for (const double x : {100.0, 140.0, 180.0, 400.0}) patches.push_back({.name = "Side waist", .path = {}, .x = x, .y = 200.0});
+  for (const double x : {100.0, 130.0, 160.0, 400.0}) patches.push_back({.name = "Side waist", .path = {}, .x = x, .y = 200.0});
   set_labels_apart(patches);
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t b = 0; b < a; ++b) EXPECT_GE(std::abs(patches[a].label_y - patches[b].label_y), 30.0) << a << " " << b;
