@@ -39,6 +39,7 @@ InpConstants::InpConstants(const FieldLine& card, const InpParameters& parameter
     case ModelLaw::arruda_boyce: shape_ = 2, volume_ = 1; break;
     case ModelLaw::yeoh: shape_ = volume_ = parameters.contains("YEOH") ? 3 : n; break;
     case ModelLaw::ogden: shape_ = 2 * n, volume_ = n; break;
+    case ModelLaw::compressible_neo_hooke:  // no keyword of these decks
     case ModelLaw::none: break;
   }
 }

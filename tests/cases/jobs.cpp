@@ -112,7 +112,7 @@ TEST_F(JobsProgram, VariantsRunSideBySideAndOneThatIsWrongStopsNoOther) {
   const Outcome run = snug("run forearm");
   EXPECT_EQ(run.status, 2) << run.text;
   EXPECT_THAT(run.text, HasSubstr("3 runs"));
-  EXPECT_THAT(run.text, testing::ContainsRegex("size S: converged[^\n]*mmHg, Wrist [a-z ,]*\\(discomfort, Denton\\)[^\n]*, thumb [0-9.]+ mmHg"));  // what its run alone would say
+  EXPECT_THAT(run.text, testing::ContainsRegex("size S: converged[^\n]*mmHg, Wrist [a-z ,]*\\(discomfort, Denton\\)[^\n]*, sensor thumb [0-9.]+ mmHg"));  // what its run alone would say
   const auto pressure = [&](const std::string& name) { return read_json("forearm/out/" + name + "/summary.json").at("locations").at(0).at("mean_pressure_Pa").get<double>(); };
   EXPECT_GT(pressure("size-S"), 1.1 * pressure("size-M"));
   const std::string page = read("forearm/out/compare.html");

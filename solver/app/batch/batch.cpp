@@ -117,14 +117,14 @@ std::string last_lines(const std::string& output) {
   return text.size() > 2000 ? "…" + text.substr(text.size() - 2000) : text;
 }
 
-/// ", Ankle class 2 (RAL-GZ 387)", ", calf 97.3 % of what it is to have", ", probe 12.10 mmHg".
+/// ", Ankle class 2 (RAL-GZ 387)", ", calf 97.3 % of its target", ", sensor shin 12.10 mmHg".
 std::string judged_text(const postproc::Json& summary) {
   const postproc::Json none = postproc::Json::array();
   std::string text;
   for (const auto& row : summary.value("thresholds", none))
     if (const std::string verdict = row.value("verdict", ""); !verdict.empty()) text += fmt::format(", {} {} ({})", row.value("location", ""), verdict, row.value("set", ""));
-  for (const auto& row : summary.value("targets", none)) text += fmt::format(", {} {:.1f} % of what it is to have", row.value("name", ""), 100.0 * row.value("found_over_wanted", 0.0));
-  for (const auto& row : summary.value("sensors", none)) text += fmt::format(", {} {:.2f} mmHg", row.value("name", ""), row.value("reading_mmHg", 0.0));
+  for (const auto& row : summary.value("targets", none)) text += fmt::format(", {} {:.1f} % of its target", row.value("name", ""), 100.0 * row.value("found_over_wanted", 0.0));
+  for (const auto& row : summary.value("sensors", none)) text += fmt::format(", sensor {} {:.2f} mmHg", row.value("name", ""), row.value("reading_mmHg", 0.0));
   return text;
 }
 
