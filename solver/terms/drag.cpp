@@ -20,14 +20,17 @@ void Drag::hold_back(State& state, double drag) {
   history.from = drag > 0.0 ? state.values : Eigen::VectorXd();
 }
 
-// A node is held back in all three directions, whose entries follow one another.
+// Positions stand before all other fields (Layout), three entries a node; a direction that is bound to others, on a tilted cut, has no weight.
 double Drag::way(const Eigen::VectorXd& from, const Eigen::VectorXd& to) const {
-  double squared = 0.0;
-  for (std::size_t i = 0; i + 2 < weights_.size(); i += 3) {
+  double largest = 0.0, of_node = 0.0;
+  int node = -1;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
     const int entry = entries_.of(static_cast<int>(i))[0];
-    squared = std::max(squared, (to.segment<3>(entry) - from.segment<3>(entry)).squaredNorm());
+    if (entry / 3 != node) node = entry / 3, of_node = 0.0;
+    of_node += std::pow(to[entry] - from[entry], 2);
+    largest = std::max(largest, of_node);
   }
-  return std::sqrt(squared);
+  return std::sqrt(largest);
 }
 
 // No state that is stored is held back.
