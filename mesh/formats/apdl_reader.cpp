@@ -14,7 +14,6 @@ namespace snug::mesh {
 
 namespace {
 
-
 class ApdlReader {
  public:
   ApdlReader(const std::string& text, const std::string& file, input::Diagnostics& diagnostics, int load_step)
@@ -91,6 +90,7 @@ class ApdlReader {
         {"REAL", [](R& r, L l) { r.now_.real = l.integer_at(1, 1); }},
         {"SECN", [](R& r, L l) { r.now_.section = l.integer_at(1, 1); }},
         {"SECC", [](R&, L l) { for (std::size_t f = 1; f < 5; ++f) if (l.number_at(f) != 0.0) l.error(f, "the transverse shear of the shell is set by hand", "leave SECCONTROLS out"); }},
+        {"ARCT", [](R&, L l) { if (const auto w = upper_case(l.text(1)); !w.empty() && w != "OFF") l.error(1, "the arc length ends the step before its full load", "leave ARCTRM out"); }},
         {"CSYS", [](R& r, L l) { r.coordinates(l); }},
         {"NLGE", [](R& r, L l) { const auto w = upper_case(l.text(1)); r.deck_.large_displacements = w == "ON" || w == "1"; }},
         {"TREF", [](R& r, L l) { r.reference_ = l.number_at(1); }},

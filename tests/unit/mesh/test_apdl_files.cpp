@@ -110,7 +110,7 @@ TEST(Apdl, ControlsOfOtherAnalysesAndOfTheSolverSayNothingAboutTheModel) {
                                "AUTOTS,ON\nNCNV,1\nOUTRES,ALL,ALL\nOUTPR,NSOL,LAST\nKBC,0\nDELTIM,0.1\nTIME,1.0\nNROPT,FULL\nCNVTOL,F,1\nNEQIT,25\nIRLF,0\n";
   EXPECT_EQ(fault(apdl, model + controls), "");
   EXPECT_EQ(apdl(model + controls).elements.size(), 1u);
-  for (const char* line : {"EKILL,1\n", "CE,1,0,1,UX,1,2,UX,-1\n", "CP,1,UX,1,2\n", "CEINTF,0.25\n", "INISTATE,DEFINE,1,,,,100\n", "LVSCALE,2.0\n"})
+  for (const char* line : {"EKILL,1\n", "CE,1,0,1,UX,1,2,UX,-1\n", "CP,1,UX,1,2\n", "CEINTF,0.25\n", "INISTATE,DEFINE,1,,,,100\n", "LVSCALE,2.0\n", "ARCTRM,U,0.01,3,UX\n"})
     EXPECT_NE(fault(apdl, model + line), "") << line;
 }
 
