@@ -107,7 +107,7 @@ LineCells cells_of(const std::string& line, char separator) {
   LineCells cells{{""}, {1}};
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && (quoted || trimmed_copy(cells.texts.back()).empty())) {  // inside a cell it is a character: girth (")
+    if (line[i] == '"' && (quoted || trimmed(cells.texts.back()).empty())) {  // inside a cell it is a character: girth (")
       if (quoted && i + 1 < line.size() && line[i + 1] == '"') cells.texts.back() += line[i++];
       else quoted = !quoted;
     } else if (line[i] == separator && !quoted) {

@@ -1,3 +1,4 @@
+// What readers ask of a text, whatever its format.
 #pragma once
 
 #include <string>

@@ -183,7 +183,6 @@ std::string likely_slip(const std::string& unit, const std::string& si_unit, dou
   return {};
 }
 
-
 /// What stands behind a number (which ends at `end`) and makes two of it: a decimal comma, a range, a deviation. Empty: nothing.
 std::string slip_in_number(const std::string& text, std::size_t end) {
   if (text[end] == ',' && end + 1 < text.size() && is_digit(text[end + 1])) {

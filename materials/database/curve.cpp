@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_points = 100'000;
 
+/// Without blanks and quotation marks at both ends.
 std::string bare(std::string text) {
   text.erase(0, text.find_first_not_of(" \t\r\""));
   text.erase(text.find_last_not_of(" \t\r\"") + 1);

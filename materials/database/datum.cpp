@@ -73,7 +73,7 @@ std::string take_number(std::string& text) {
   const auto [rest, fault] = std::from_chars(digits, end, number);
   if (fault != std::errc{} || !std::isfinite(number)) return {};
   std::string result(begin, rest);
-  text = input::trimmed_copy(std::string(rest, end));
+  text = input::trimmed_copy({rest, end});
   return result;
 }
 
@@ -116,7 +116,7 @@ bool is_no_finite_number(const std::string& text, UnitBook& units) {
   const char *begin = text.data(), *end = begin + text.size();
   const auto [rest, fault] = std::from_chars(begin + (begin != end && *begin == '+'), end, number);
   if (fault == std::errc::result_out_of_range) return true;
-  return fault == std::errc{} && !std::isfinite(number) && units.find(input::trimmed_copy(std::string(rest, end))).has_value();
+  return fault == std::errc{} && !std::isfinite(number) && units.find(input::trimmed_copy({rest, end})).has_value();
 }
 
 /// A value with neither unit, uncertainty nor range may be a text.

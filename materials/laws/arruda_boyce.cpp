@@ -3,7 +3,6 @@
 #include <array>
 
 #include "materials/laws/first_invariant.hpp"
-#include "materials/laws/tensor.hpp"
 
 namespace snug::materials {
 
@@ -34,16 +33,11 @@ SeriesValues values_of_series(double x, double y) {
 
 }  // namespace
 
-// With q = (J^(-2/3) I1 - 3)/2, its first and second derivative q', q'' by F and the series s(I) at I = 3 + 2 q:
-//   W = mu s, P = w q', A = w q'' + w' q' (x) q', w = 2 mu ds/dI, w' = 4 mu d2s/dI2.
+// With q = (J^(-2/3) I1 - 3)/2 and the series s(I) at I = 3 + 2 q: W = mu s.
 SolidResponse ArrudaBoyce::isochoric(const Eigen::Matrix3d& F) const {
-  SolidResponse r = first_invariant_energy(F, 1.0);
-  const SeriesValues s = values_of_series(2.0 * r.energy, 1.0 / (locking_stretch * locking_stretch));
-  const Eigen::Matrix<double, 9, 1> slope = components(r.stress);
-  r.energy = mu * s.energy;
-  r.stress *= 2.0 * mu * s.slope;
-  r.tangent = 2.0 * mu * s.slope * r.tangent + 4.0 * mu * s.curvature * slope * slope.transpose();
-  return r;
+  const SolidResponse q = first_invariant_energy(F, 1.0);
+  const SeriesValues s = values_of_series(2.0 * q.energy, 1.0 / (locking_stretch * locking_stretch));
+  return response_of({.energy = mu * s.energy, .slope = 2.0 * mu * s.slope, .curvature = 4.0 * mu * s.curvature}, q);
 }
 
 double ArrudaBoyce::initial_shear_modulus() const { return 2.0 * mu * values_of_series(0.0, 1.0 / (locking_stretch * locking_stretch)).slope; }

@@ -33,4 +33,14 @@ SolidResponse first_invariant_energy(const Eigen::Matrix3d& F, double modulus) {
   return r;
 }
 
+// With q', q'' by F: P = W' q', A = W' q'' + W'' q' (x) q'.
+SolidResponse response_of(const FirstInvariantLaw& law, const SolidResponse& q) {
+  SolidResponse r;
+  const Eigen::Matrix<double, 9, 1> slope = components(q.stress);
+  r.energy = law.energy;
+  r.stress = law.slope * q.stress;
+  r.tangent = law.slope * q.tangent + law.curvature * slope * slope.transpose();
+  return r;
+}
+
 }  // namespace snug::materials

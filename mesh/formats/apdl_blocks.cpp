@@ -49,7 +49,6 @@ FieldLine cut(std::string_view line, int number, const FixedColumns& columns, co
   return row;
 }
 
-
 /// The format line of a block, or nothing and an error.
 FixedColumns format_of(const FieldLine& head, LineSource& lines) {
   std::string_view line;

@@ -16,7 +16,6 @@ namespace snug::mesh {
 
 namespace {
 
-
 class InpReader {
  public:
   InpReader(const std::string& text, const std::string& file, const IncludeRules& rules, input::Diagnostics& diagnostics, int load_step)

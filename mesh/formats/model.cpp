@@ -80,7 +80,6 @@ const std::vector<std::array<int, 2>>& model_edges(ElementKind kind) {
 
 namespace {
 
-
 /// Reports what refers to nodes that are not there.
 class NodeCheck {
  public:

@@ -214,7 +214,7 @@ void set_labels_apart(std::vector<MapPatch>& patches) {
     return std::abs(a.label_y - b.label_y) < tall && std::abs(a.x - b.x) < 0.5 * letter * static_cast<double>(a.name.size() + b.name.size());
   };
   for (auto patch = patches.begin(); patch != patches.end(); ++patch)
-    for (const double rows : {0.0, -1.0, 1.0, -2.0, 2.0}) {
+    for (const double rows : {0.0, -1.0, 1.0, -2.0, 2.0, 0.0}) {  // the middle, too, where no row is free
       patch->label_y = patch->y + rows * tall;
       if (std::none_of(patches.begin(), patch, [&](const MapPatch& other) { return touch(*patch, other); })) break;
     }

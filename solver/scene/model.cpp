@@ -122,11 +122,13 @@ Model Model::with_friction(double coefficient) const {
 Model make_model(const input::Case& description) {
   Model model{.asked = description};
   Collector collect;
-  for (const input::LayerSpec& layer : description.body ? description.body->layers : std::vector<input::LayerSpec>{}) {
-    if (layer.form == input::LayerForm::membrane)
-      collect([&] { materials::find_membrane_tissue(layer.material); });
-    else if (layer.form != input::LayerForm::rigid)
-      collect([&] { materials::find_tissue(layer.material); });
+  if (description.body) {
+    for (const input::LayerSpec& layer : description.body->layers) {
+      if (layer.form == input::LayerForm::membrane)
+        collect([&] { materials::find_membrane_tissue(layer.material); });
+      else if (layer.form != input::LayerForm::rigid)
+        collect([&] { materials::find_tissue(layer.material); });
+    }
   }
   add_garments(description, collect, model);
   collect.throw_if_any();

@@ -110,7 +110,7 @@ TEST(FabricBending, ASewnLoopIsRound) {
 }
 
 // With a bending stiffness that goes to nothing a tight sleeve is the membrane's: its pressures are those of the scene without the term, and with a thousand times
-// that stiffness a thousand times as far from them.
+// that stiffness more than a hundred times as far from them.
 TEST(FabricBending, ASleeveThatHardlyBendsPressesAsAMembrane) {
   TubeCase tube;
   tube.around = 12, tube.along = 3, tube.through = 1, tube.tier = input::Tier::L1, tube.taper = 0.1;

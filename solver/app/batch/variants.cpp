@@ -59,11 +59,11 @@ Sweep steps_of(const std::string& text, const std::string& key, const std::vecto
 Sweep sweep_of(const std::string& text) {
   const auto equals = text.find('=');
   const std::string key = input::trimmed_copy(text.substr(0, equals)), values = equals == text.npos ? "" : text.substr(equals + 1);
-  if (key.empty() || input::trimmed_copy(values).empty()) throw wrong(text, "there is no KEY=FROM:TO:N", "write for example --sweep \"garment.pattern.flat_circumference=190 mm:220 mm:4\", or KEY=A,B,C");
+  if (key.empty() || input::trimmed(values).empty()) throw wrong(text, "there is no KEY=FROM:TO:N", "write for example --sweep \"garment.pattern.flat_circumference=190 mm:220 mm:4\", or KEY=A,B,C");
   if (const std::vector<std::string> parts = split(values, ':'); parts.size() == 3) return steps_of(text, key, parts);
   Sweep sweep{key, {}, {}, {}};
   for (const std::string& value : split(values, ',')) {
-    if (input::trimmed_copy(value).empty()) throw wrong(text, "a value is empty", "write KEY=A,B,C");
+    if (input::trimmed(value).empty()) throw wrong(text, "a value is empty", "write KEY=A,B,C");
     sweep.values.push_back(input::trimmed_copy(value));
     if (const auto number = measured(sweep.values.back())) sweep.numbers.push_back(number->first), sweep.unit = number->second;
   }
